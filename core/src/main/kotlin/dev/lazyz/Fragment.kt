@@ -7,13 +7,7 @@ package dev.lazyz
  * primitive sets the attributes at the sample; the [Shader] reads them and calls [setColor]. Attributes that the
  * surface does not have, or that its shading does not need, keep the default values given below. Not thread safe.
  */
-public class Fragment internal constructor(
-    /** How many samples wide and high a step of the derivatives is: 1, or a pixel (contract rule 6.12). */
-    internal val footprintSide: Int,
-) {
-    /** Creates a fragment at the sample (0, 0). */
-    public constructor() : this(1)
-
+public class Fragment {
     /** Column of the sample. */
     public var x: Int = 0
         private set
@@ -151,6 +145,9 @@ public class Fragment internal constructor(
     /** The opacity set by the shader, 0..1. Default 1. */
     public var alpha: Float = 1f
         private set
+
+    /** How many samples wide and high a step of the derivatives is: 1, or a pixel (contract rule 6.12). */
+    internal var footprintSide: Int = 1
 
     /**
      * Scratch array for the result of a texture lookup (red, green, blue, alpha), so that shading does not allocate.

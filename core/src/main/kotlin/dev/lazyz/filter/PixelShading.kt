@@ -19,7 +19,7 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     private val indices = Array(factor) { IntArray(width) }
 
     private val primitives = RecentPrimitives(frame.content)
-    private val fragment = Fragment(factor)
+    private val fragment = Fragment().also { it.footprintSide = factor }
     private var shadingCalls = 0L
 
     /** The samples of a pixel from its centre outward, as row times [factor] plus column. */

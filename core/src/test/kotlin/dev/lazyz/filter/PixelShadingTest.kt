@@ -52,13 +52,15 @@ class PixelShadingTest {
 
     private fun scene(vararg surfaces: Surface) = Scene(surfaces.toList(), viewpoint = camera)
 
+    private fun square(number: Int): Int = number * number
+
     @Test
     fun rule_6_12_texturesHaveNoMoreErrorThanWithOneSampleAPixel() {
         for (surface in listOf(floor(chequers(MipFilter.ANISOTROPIC)), ball(chequers(MipFilter.TRILINEAR)))) {
             val truth = SuperSampling(16).frame(scene(surface), raster).render(Tiled()).argb
             fun error(sampling: SuperSampling): Double {
                 val argb = sampling.frame(scene(surface), raster).render(Tiled()).argb
-                return sqrt(argb.indices.sumOf { i -> ((argb[i] and 0xFF) - (truth[i] and 0xFF)).let { it * it } } * 1.0)
+                return sqrt(argb.indices.sumOf { square((argb[it] and 0xFF) - (truth[it] and 0xFF)) }.toDouble())
             }
             val once = error(SuperSampling(4, rate = ShadingRate.PIXEL))
             val plain = error(SuperSampling.NONE)
@@ -85,9 +87,10 @@ class PixelShadingTest {
         for (factor in listOf(2, 3, 4)) {
             for (surface in listOf<(Material) -> Surface>(::floor, ::ball)) {
                 val (sample, pixel, plain) = List(3) { Derivatives() }
-                fun render(shader: Shader, rate: ShadingRate) =
-                    SuperSampling(factor, rate = rate).frame(scene(surface(chequers(MipFilter.TRILINEAR, shader))), raster)
-                        .render(Tiled())
+                fun render(shader: Shader, rate: ShadingRate) {
+                    val shown = scene(surface(chequers(MipFilter.TRILINEAR, shader)))
+                    SuperSampling(factor, rate = rate).frame(shown, raster).render(Tiled())
+                }
                 render(sample, ShadingRate.SAMPLE)
                 render(pixel, ShadingRate.PIXEL)
                 render({ plain.shade(it) }, ShadingRate.PIXEL)
