@@ -61,7 +61,8 @@ public class Fragment {
 
     /**
      * How [u] changes from this sample to the next column, for filters of textures. Set if the material has a texture
-     * with a `MipFilter`. Default 0.
+     * with a `MipFilter`. If shading is once a pixel (`ShadingRate.PIXEL`), the step is to the next column of pixels,
+     * likewise for rows. Default 0.
      */
     @JvmField
     public var dudx: Float = 0f
@@ -144,6 +145,9 @@ public class Fragment {
     /** The opacity set by the shader, 0..1. Default 1. */
     public var alpha: Float = 1f
         private set
+
+    /** How many samples wide and high a step of the derivatives is: 1, or a pixel (contract rule 6.12). */
+    internal var footprintSide: Int = 1
 
     /**
      * Scratch array for the result of a texture lookup (red, green, blue, alpha), so that shading does not allocate.

@@ -8,8 +8,8 @@ import dev.lazyz.RecentPrimitives
 import dev.lazyz.RowSink
 
 /**
- * Receives rows of samples without colours, and passes them on with the colours of [ShadingRate.PIXEL]. The region of
- * [frame] consists of whole pixels. Belongs to one rendering.
+ * Receives rows of samples without colours, and passes them on with the colours of [ShadingRate.PIXEL]. Footprints of
+ * textures are those of pixels. The region of [frame] consists of whole pixels. Belongs to one rendering.
  */
 internal class PixelShading(private val frame: Frame, private val factor: Int, private val sink: RowSink) : RowSink {
     private val width = frame.width
@@ -19,7 +19,7 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     private val indices = Array(factor) { IntArray(width) }
 
     private val primitives = RecentPrimitives(frame.content)
-    private val fragment = Fragment()
+    private val fragment = Fragment().also { it.footprintSide = factor }
     private var shadingCalls = 0L
 
     /** The samples of a pixel from its centre outward, as row times [factor] plus column. */

@@ -7,7 +7,8 @@ public enum class ShadingRate {
 
     /**
      * Once for each primitive that is visible in a pixel, at its visible sample that is nearest to the pixel's centre.
-     * The edges of primitives are as smooth as with [SAMPLE]; highlights and textures are not. For expensive shaders.
+     * The edges of primitives are as smooth as with [SAMPLE]; highlights are not. Textures with a `MipFilter` are read
+     * with the footprint of a pixel, as with one sample a pixel. For expensive shaders.
      */
     PIXEL,
 }

@@ -27,8 +27,9 @@ import org.joml.Vector3dc
  *
  * The shadow is blended with the background of the raster, so it needs no renderer that blends. In front of a
  * transparent background, it is black with the alpha of the shadow. It has a depth and a submission index like all
- * surfaces. Seen from below, it is not drawn. Cameras that fit a scene ignore it. Compute it for the scene as it stands
- * up: a scene that contains it cannot be rotated.
+ * surfaces. Seen from below, it is not drawn. Toward the border of the whole picture it fades to nothing, from 12
+ * percent of the shorter side on, so that no hard edge is seen on a page of the same colour. Cameras that fit a scene
+ * ignore it. Compute it for the scene as it stands up: a scene that contains it cannot be rotated.
  *
  * The same surfaces as in [AmbientOcclusion] hide the sky. The arithmetic is strict, too.
  *
@@ -60,7 +61,7 @@ public class GroundShadow private constructor(
     override fun primitives(setUp: SetUp): Sequence<Primitive> {
         val r = grid.reach
         val corners = floatArrayOf(-r, 0f, r, r, 0f, r, r, 0f, -r, -r, 0f, -r)
-        val material = Material(shader = GroundShader(grid, strength, setUp.raster.background), sides = Sides.FRONT)
+        val material = Material(shader = GroundShader(grid, strength, setUp.raster), sides = Sides.FRONT)
         return setUp.mesh(Mesh(corners, intArrayOf(0, 1, 2, 0, 2, 3), material, origin = center))
     }
 

@@ -119,8 +119,8 @@ internal class SpherePrimitive private constructor(
     }
 
     /**
-     * Sets the derivatives of the texture coordinates. When the ray turns to the next sample, the point moves in the
-     * tangent plane.
+     * Sets the derivatives of the texture coordinates. When the ray turns to the next sample, or pixel (contract
+     * rule 6.12), the point moves in the tangent plane.
      *
      * @param scale distance of the point for perspective, otherwise 1
      * @param normal the outward normal, world space
@@ -131,11 +131,12 @@ internal class SpherePrimitive private constructor(
         } else {
             camera.toWorldDirection(0.0, 0.0, -1.0)
         }
-        slopes(camera.toWorldDirection(rays.columnStep * scale, 0.0, 0.0), ray, normal) { u, v ->
+        val step = scale * fragment.footprintSide
+        slopes(camera.toWorldDirection(rays.columnStep * step, 0.0, 0.0), ray, normal) { u, v ->
             fragment.dudx = u
             fragment.dvdx = v
         }
-        slopes(camera.toWorldDirection(0.0, rays.rowStep * scale, 0.0), ray, normal) { u, v ->
+        slopes(camera.toWorldDirection(0.0, rays.rowStep * step, 0.0), ray, normal) { u, v ->
             fragment.dudy = u
             fragment.dvdy = v
         }

@@ -3,6 +3,7 @@ package dev.lazyz.lighting
 import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
+import dev.lazyz.filter.SuperSampling
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
@@ -108,6 +109,26 @@ class GroundShadowTest {
         }
     }
 
+    /** Without a hard edge: the border is the background, and from there the shadow grows slowly. */
+    @Test
+    fun theShadowEndsInsideThePicture() {
+        val shadow = shadow(low, strength = 1f)
+        for (kind in Fit.entries) {
+            for ((elevation, zoom) in listOf(12.0 to 1.0, 40.0 to 1.0, 60.0 to 1.0, 40.0 to 1.4)) {
+                val viewpoint = Camera.fit(0.0, elevation, zoom, kind, margin = 12.0).camera(low, 80.0 / 60.0)
+                val all = low.withSurfaces(low.surfaces + shadow).withViewpoint(shadow.camera(viewpoint))
+                val image = SuperSampling(2).frame(all, Raster(160, 120, Rgba.WHITE)).render(ZBuffer())
+                fun code(x: Int, y: Int) = if (image.primitive(x, y) == 0) 0xFF else image.argb(x, y) and 0xFF
+                val where = "$kind, elevation $elevation, zoom $zoom"
+                val darkest = image.argb.indices.filter { image.primitive[it] > 0 }.minOf { image.argb[it] and 0xFF }
+                assertTrue(darkest < 0xF0) { "$darkest, $where" }
+                for (x in 0 until 160) for (y in listOf(0, 119)) assertEquals(0xFF, code(x, y)) { "($x, $y), $where" }
+                for (y in 0 until 120) for (x in listOf(0, 159)) assertEquals(0xFF, code(x, y)) { "($x, $y), $where" }
+                for (x in 0 until 160) assertTrue(code(x, 118) > 0xF8 && code(x, 117) > 0xF0) { "column $x, $where" }
+            }
+        }
+    }
+
     /** Where nothing hides the sky there is no shadow, not even far from the scene. */
     @Test
     fun pointsHaveNoShadow() {
@@ -129,6 +150,9 @@ class GroundShadowTest {
         val scene = Scene(
             listOf(Sphere(Vector3d(0.0, 2.0, 0.0), 1.0, Material()), Sphere(Vector3d(0.0, 0.1, 0.0), 0.1, Material())),
         )
+
+        /** A ball that lies on the ground, so that its shadow is dark. */
+        val low = Scene(listOf(Sphere(Vector3d(0.0, 1.0, 0.0), 1.0, Material())))
 
         /** By scene and strength: a shadow takes longer than a picture. */
         private val shadows = HashMap<Pair<Scene, Float>, GroundShadow>()

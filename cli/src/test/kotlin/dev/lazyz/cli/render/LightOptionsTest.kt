@@ -170,6 +170,14 @@ class LightOptionsTest {
         assertNotEquals(product, argb(cubes, "--style", "product", "--margin", "2"))
     }
 
+    @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    fun picturesOfProductsEndInTheBackground() {
+        val product = picture(cubes, "--style", "product", "--elevation", "40")
+        for (x in 0 until 40) for (y in listOf(0, 29)) assertEquals(-1, product.getRGB(x, y)) { "($x, $y)" }
+        for (y in 0 until 30) for (x in listOf(0, 39)) assertEquals(-1, product.getRGB(x, y)) { "($x, $y)" }
+    }
+
     /** What is computed at pixels for speed is computed at samples if that is asked for, or necessary. */
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")

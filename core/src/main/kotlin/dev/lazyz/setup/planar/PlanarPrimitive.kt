@@ -163,7 +163,7 @@ internal class PlanarPrimitive(
         }
     }
 
-    /** Sets the derivatives of the texture coordinates (contract rule 6.6). */
+    /** Sets the derivatives of the texture coordinates (contract rules 6.6 and 6.12). */
     private fun footprint(fragment: Fragment, first: Long, second: Long, third: Long) {
         val forms = edgeFunctions()
         val over0 = 1.0 / vertices.get(corners[0], Vertices.W)
@@ -173,12 +173,13 @@ internal class PlanarPrimitive(
         val part1 = second.toDouble() * over1
         val part2 = third.toDouble() * over2
         val scale = PerspectiveWeights.scale(part0, part1, part2, reference.size.toDouble() * leastInverseW)
-        val right0 = forms.first.dx.toDouble() * over0 * scale
-        val right1 = forms.second.dx.toDouble() * over1 * scale
-        val right2 = forms.third.dx.toDouble() * over2 * scale
-        val down0 = forms.first.dy.toDouble() * over0 * scale
-        val down1 = forms.second.dy.toDouble() * over1 * scale
-        val down2 = forms.third.dy.toDouble() * over2 * scale
+        val step = scale * fragment.footprintSide
+        val right0 = forms.first.dx.toDouble() * over0 * step
+        val right1 = forms.second.dx.toDouble() * over1 * step
+        val right2 = forms.third.dx.toDouble() * over2 * step
+        val down0 = forms.first.dy.toDouble() * over0 * step
+        val down1 = forms.second.dy.toDouble() * over1 * step
+        val down2 = forms.third.dy.toDouble() * over2 * step
         if (fields and Attributes.UV != 0) {
             val u = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV)
             val v = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV + 1)

@@ -1,0 +1,125 @@
+package dev.lazyz.filter
+
+import dev.lazyz.BatchShader
+import dev.lazyz.FragmentBatch
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.Shader
+import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
+import java.util.concurrent.ConcurrentHashMap
+import kotlin.math.sqrt
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertArrayEquals
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Contract rule 6.12: textures of primitives that are shaded once a pixel have the footprint of a pixel. */
+class PixelShadingTest {
+    private val raster = Raster(48, 36)
+
+    private fun chequers(mipFilter: MipFilter, shader: Shader? = null) = Material(
+        texture = Texture(64, 64, IntArray(64 * 64) { if ((it / 2 xor it / 128) and 1 == 0) -1 else 0xFF shl 24 })
+            .withMipFilter(mipFilter),
+        shading = Shading.CONSTANT,
+        shader = shader,
+    )
+
+    /** A floor to the horizon, with a texture of both sets that is too fine for most samples. */
+    private fun floor(material: Material): Mesh {
+        val uvs = floatArrayOf(0f, 0f, 8f, 0f, 8f, 40f, 0f, 40f)
+        return Mesh(
+            floatArrayOf(-8f, -1f, 4f, 8f, -1f, 4f, 8f, -1f, -80f, -8f, -1f, -80f), intArrayOf(0, 1, 2, 0, 2, 3),
+            material, uvs = uvs, uvs2 = FloatArray(8) { uvs[it] / 3 },
+        )
+    }
+
+    private fun ball(material: Material) = Sphere(Vector3d(0.5, 0.2, -1.0), 0.8, material)
+
+    private val camera =
+        Camera.perspective(Vector3d(0.0, 0.6, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 45.0, 0.5, 100.0)
+
+    private fun scene(vararg surfaces: Surface) = Scene(surfaces.toList(), viewpoint = camera)
+
+    private fun square(number: Int): Int = number * number
+
+    @Test
+    fun rule_6_12_texturesHaveNoMoreErrorThanWithOneSampleAPixel() {
+        for (surface in listOf(floor(chequers(MipFilter.ANISOTROPIC)), ball(chequers(MipFilter.TRILINEAR)))) {
+            val truth = SuperSampling(16).frame(scene(surface), raster).render(Tiled()).argb
+            fun error(sampling: SuperSampling): Double {
+                val argb = sampling.frame(scene(surface), raster).render(Tiled()).argb
+                return sqrt(argb.indices.sumOf { square((argb[it] and 0xFF) - (truth[it] and 0xFF)) }.toDouble())
+            }
+            val once = error(SuperSampling(4, rate = ShadingRate.PIXEL))
+            val plain = error(SuperSampling.NONE)
+            assertTrue(once <= plain) { "$surface: $once, and $plain with one sample a pixel" }
+        }
+    }
+
+    /** Keeps the derivatives that it sees, by sample. */
+    private class Derivatives : BatchShader {
+        val seen = ConcurrentHashMap<Pair<Int, Int>, FloatArray>()
+
+        override fun shade(batch: FragmentBatch) {
+            for (i in 0 until batch.size) {
+                seen[batch.x[i] to batch.y[i]] = floatArrayOf(
+                    batch.dudx[i], batch.dvdx[i], batch.dudy[i], batch.dvdy[i],
+                    batch.du2dx[i], batch.dv2dx[i], batch.du2dy[i], batch.dv2dy[i],
+                )
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_12_shadersGetTheDerivativesOfAPixel() {
+        for (factor in listOf(2, 3, 4)) {
+            for (surface in listOf<(Material) -> Surface>(::floor, ::ball)) {
+                val (sample, pixel, plain) = List(3) { Derivatives() }
+                fun render(shader: Shader, rate: ShadingRate) {
+                    val shown = scene(surface(chequers(MipFilter.TRILINEAR, shader)))
+                    SuperSampling(factor, rate = rate).frame(shown, raster).render(Tiled())
+                }
+                render(sample, ShadingRate.SAMPLE)
+                render(pixel, ShadingRate.PIXEL)
+                render({ plain.shade(it) }, ShadingRate.PIXEL)
+                assertTrue(pixel.seen.size > 100)
+                assertEquals(pixel.seen.keys, plain.seen.keys)
+                for ((place, actual) in pixel.seen) {
+                    assertArrayEquals(plain.seen[place], actual)
+                    for ((k, one) in sample.seen.getValue(place).withIndex()) {
+                        assertEquals(factor * one, actual[k], Math.ulp(factor * one)) { "$place, $k" }
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    fun rule_6_12_allRenderersReadTexturesOnceAPixelInTheSameWay() {
+        val scene = scene(floor(chequers(MipFilter.ANISOTROPIC)), ball(chequers(MipFilter.TRILINEAR)))
+        val frame = SuperSampling(3, rate = ShadingRate.PIXEL).frame(scene, raster)
+        val expected = frame.render(ZBuffer())
+        val region = Region(7, 9, 40, 31)
+        for (renderer in Renderers.builtIn) {
+            assertEquals(expected, frame.render(renderer)) { renderer.id }
+            val part = frame.within(region).render(renderer)
+            for (y in region.rowStart until region.rowEnd) {
+                for (x in region.columnStart until region.columnEnd) {
+                    assertEquals(expected.argb(x, y), part.argb(x, y)) { "${renderer.id} at ($x, $y)" }
+                }
+            }
+        }
+    }
+}
