@@ -112,4 +112,23 @@ class FailureTest {
         assertTrue("zcli: warning: nothing is visible" in run.errors, run.errors)
         assertFalse("error" in run.errors)
     }
+
+    @Test
+    fun aPictureOfOneColourIsDoneWithAWarning() {
+        val options = arrayOf("--light", "flat", "--size", "40x30", "--aa", "1", "--stats=json")
+        val picture = folder.resolve("x.png")
+        val run = zcli("render", folder.wedge(), "-o", picture, *options, "--color", "white")
+        assertEquals(0, run.code)
+        assertTrue("zcli: warning: all pixels have the same colour" in run.errors, run.errors)
+        assertEquals("true", run.stat("blank"))
+        val series = zcli("render", folder.wedge(), "-o", folder.resolve("{view}.png"), *options, "--views", "front,iso")
+        assertEquals(2, Regex("all pixels have the same colour").findAll(series.errors).count(), series.errors)
+        zcli("render", folder.wedge(), "-o", picture, *options, "--background", "black").done()
+    }
+
+    @Test
+    fun onePixelHasOneColourWithoutAWarning() {
+        val run = zcli("render", "teapot", "-o", folder.resolve("x.png"), "--size", "1", "--stats=json").done()
+        assertEquals("false", run.stat("blank"))
+    }
 }
