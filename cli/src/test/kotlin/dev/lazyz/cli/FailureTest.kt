@@ -127,8 +127,9 @@ class FailureTest {
     }
 
     @Test
-    fun onePixelHasOneColourWithoutAWarning() {
-        val run = zcli("render", "teapot", "-o", folder.resolve("x.png"), "--size", "1", "--stats=json").done()
-        assertEquals("false", run.stat("blank"))
+    fun aPictureThatOneSurfaceFillsHasNoWarning() {
+        val options = arrayOf("--shading", "constant", "--size", "40x30", "--region", "20,15,3x3", "--stats=json")
+        val run = zcli("render", folder.wedge(), "-o", folder.resolve("x.png"), *options).done()
+        assertEquals(listOf("false", "9"), listOf("blank", "visible").map { run.stat(it) })
     }
 }

@@ -35,7 +35,7 @@ internal class Statistics(
     ) + counted(counters, picture, aa) + mapOf(
         "visible" to tally.visible,
         "coverage" to tally.visible.toDouble() / picture.size,
-        "blank" to (tally.visible == 0L || tally.isOneColor),
+        "blank" to (tally.visible == 0L || tally.isIndistinct),
         "warnings" to warnings,
         "millis" to millis(nanoseconds),
         "pixelHash" to tally.hash(),
@@ -80,8 +80,8 @@ internal class Tally(private val width: Int, isHashed: Boolean) : RowSink {
     private var color = 0
     private var isUniform = true
 
-    /** Whether there are several pixels so far, all of one colour. */
-    val isOneColor: Boolean get() = isUniform && pixels > 1
+    /** Whether what is visible so far has the same colour as the background around it. */
+    val isIndistinct: Boolean get() = isUniform && visible in 1 until pixels
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         if (pixels == 0L) color = argb[0]

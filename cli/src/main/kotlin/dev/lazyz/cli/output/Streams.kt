@@ -55,8 +55,9 @@ internal class Streams(
     fun warnIfBlank(tally: Tally, what: String? = null) {
         if (tally.visible == 0L) {
             nothingIsVisible(what)
-        } else if (tally.isOneColor) {
-            warning(what, "all pixels have the same colour; choose another --background, --light or --color")
+        } else if (tally.isIndistinct) {
+            val advice = "choose another --background, --light or --color"
+            warning(what, "all pixels have the same colour, also those of the background; $advice")
         }
     }
 
