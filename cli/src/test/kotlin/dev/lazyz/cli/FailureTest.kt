@@ -121,7 +121,8 @@ class FailureTest {
         assertEquals(0, run.code)
         assertTrue("zcli: warning: all pixels have the same colour" in run.errors, run.errors)
         assertEquals("true", run.stat("blank"))
-        val series = zcli("render", folder.wedge(), "-o", folder.resolve("{view}.png"), *options, "--views", "front,iso")
+        val series =
+            zcli("render", folder.wedge(), "-o", folder.resolve("{view}.png"), *options, "--views", "front,iso")
         assertEquals(2, Regex("all pixels have the same colour").findAll(series.errors).count(), series.errors)
         zcli("render", folder.wedge(), "-o", picture, *options, "--background", "black").done()
     }

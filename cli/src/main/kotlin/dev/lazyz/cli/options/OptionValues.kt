@@ -58,20 +58,21 @@ private val selectors = mapOf(
 )
 
 /** An option whose value is the name of a selector, or `kth:K`. */
-internal fun RawOption.selector(): NullableOption<Selector, Selector> = convert("SELECTOR", CompletionCandidates.Fixed(selectors.keys)) { text ->
-    val name = text.lowercase()
-    val number = name.substringAfter("kth:", "").takeIf { it.isNotEmpty() }
-    when {
-        name in selectors -> selectors.getValue(name)
-        number != null -> Selector.kthNearest(
-            number.toIntOrNull()?.takeIf { it >= 1 } ?: fail("K of kth:K must be a whole number, 1 or more: $text"),
-        )
-        else -> {
-            val hint = Nearest.hint(text, selectors.keys)
-            fail("'$text' is not one of nearest, farthest, kth:K, count, blend$hint")
+internal fun RawOption.selector(): NullableOption<Selector, Selector> =
+    convert("SELECTOR", CompletionCandidates.Fixed(selectors.keys)) { text ->
+        val name = text.lowercase()
+        val number = name.substringAfter("kth:", "").takeIf { it.isNotEmpty() }
+        when {
+            name in selectors -> selectors.getValue(name)
+            number != null -> Selector.kthNearest(
+                number.toIntOrNull()?.takeIf { it >= 1 } ?: fail("K of kth:K must be a whole number, 1 or more: $text"),
+            )
+            else -> {
+                val hint = Nearest.hint(text, selectors.keys)
+                fail("'$text' is not one of nearest, farthest, kth:K, count, blend$hint")
+            }
         }
     }
-}
 
 /** An option whose value is an amount of memory: `65536`, `64k`, `16MiB`. */
 internal fun RawOption.bytes(): NullableOption<Long, Long> = convert("SIZE") { text ->

@@ -123,7 +123,9 @@ class StrategyChoiceTest {
 
     @Test
     fun eachStrategyShowsTheNearestOfOpaqueSurfaces() {
-        for (id in listOf("zbuffer", "lazy")) assertEquals(id, strategyOf("teapot", "--strategy", id, "--select", "nearest"))
+        for (id in listOf("zbuffer", "lazy")) {
+            assertEquals(id, strategyOf("teapot", "--strategy", id, "--select", "nearest"))
+        }
         assertEquals(Renderers.all().first().id, strategyOf("teapot", "--select", "nearest"))
         strategyOf("teapot", "--shading-rate", "pixel", "--select", "nearest")
         strategyOf("teapot", "--memory-budget", "1k", "--select", "nearest")

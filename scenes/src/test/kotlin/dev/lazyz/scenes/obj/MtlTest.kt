@@ -241,8 +241,9 @@ class MtlTest {
 
     @Test
     fun coatsSheenAnisotropyAndFiltersGiveOneWarning() {
-        val text = "newmtl a\nPcr 0.03\nPc 0.5\nPs 0.2\naniso 0.7\nanisor 0.1\nTf 0.5 1 1\nmap_Pc a.png\nmap_Tf b.png\n" +
-            "newmtl b\nmap_aniso c.png\nanisor 0.5\nmap_Ps d.png\nPc 1\n"
+        val text =
+            "newmtl a\nPcr 0.03\nPc 0.5\nPs 0.2\naniso 0.7\nanisor 0.1\nTf 0.5 1 1\nmap_Pc a.png\nmap_Tf b.png\n" +
+                "newmtl b\nmap_aniso c.png\nanisor 0.5\nmap_Ps d.png\nPc 1\n"
         Files.writeString(folder.resolve("m.mtl"), text)
         val source = TestSources.of("mtllib m.mtl\n$triangle", folder)
         ObjParser.parse(source)
