@@ -14,7 +14,6 @@ dependencies {
     implementation(libs.serialization.json)
     implementation(libs.jqwik)
     implementation(libs.clikt)
-    implementation(libs.colormath)
     implementation(libs.mordant)
     testImplementation(project(":testing"))
     testImplementation(project(":server"))

@@ -103,19 +103,22 @@ public class Rgba @JvmOverloads constructor(
         }
 
         /**
-         * Parses an sRGB colour: `#rgb`, `#rrggbb`, `#rrggbbaa`, `transparent`, `black` or `white`.
+         * The names of colours that [parse] knows, in lower case: those of CSS, and `transparent` (CSS Color Module
+         * Level 4).
+         */
+        @JvmStatic
+        public val names: Set<String> get() = CssColors.byName.keys
+
+        /**
+         * Parses an sRGB colour: `#rgb`, `#rrggbb`, `#rrggbbaa`, or one of [names] in upper or lower case.
          *
          * @throws IllegalArgumentException if [text] has none of these forms
          */
         @JvmStatic
         public fun parse(text: String): Rgba {
-            when (text) {
-                "transparent" -> return TRANSPARENT
-                "black" -> return BLACK
-                "white" -> return WHITE
-            }
+            if (!text.startsWith("#")) CssColors.byName[text.lowercase()]?.let { return it }
             require(text.matches(HEX)) {
-                "colour must be #rgb, #rrggbb, #rrggbbaa, transparent, black or white: $text"
+                "colour must be #rgb, #rrggbb, #rrggbbaa, or a name of CSS, such as skyblue or transparent: $text"
             }
             val digits = text.substring(1)
             val long = if (digits.length == 3) digits.map { "$it$it" }.joinToString("") else digits

@@ -27,9 +27,18 @@ class RgbaTest {
     }
 
     @Test
+    fun namesOfCssAreColoursInAnyCase() {
+        assertEquals(0xFF87CEEB.toInt(), Rgba.parse("skyblue").toArgb())
+        assertEquals(0xFF663399.toInt(), Rgba.parse("RebeccaPurple").toArgb())
+        assertEquals(Rgba.ofRgb(0xFF0000), Rgba.parse("red"))
+        assertEquals(Rgba.parse("darkslategray"), Rgba.parse("darkslategrey"))
+        assertEquals(Rgba.TRANSPARENT, Rgba.parse("TRANSPARENT"))
+    }
+
+    @Test
     fun otherTextIsNamedInTheMessage() {
         val wrong =
-            listOf("", "#", "#12", "#1234", "#12345", "#1234567", "#123456789", "red", "#ggg", "fff", " #fff", "#fff\n")
+            listOf("", "#", "#12", "#1234", "#12345", "#1234567", "#123456789", "mud", "#ggg", "fff", " #fff", "#fff\n")
         for (text in wrong) {
             val message = assertThrows(IllegalArgumentException::class.java) { Rgba.parse(text) }.message
             assertTrue(message!!.endsWith(text)) { message }

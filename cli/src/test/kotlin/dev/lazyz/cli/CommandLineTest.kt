@@ -6,6 +6,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.CsvSource
 import org.junit.jupiter.params.provider.ValueSource
 
 class CommandLineTest {
@@ -23,6 +24,21 @@ class CommandLineTest {
         assertTrue("Examples:\n  # " in help, help)
         assertEquals(listOf<String>(), help.lines().filter { it.length > 80 })
         assertEquals(help, zcli(*words.dropLast(1).toTypedArray(), "-h").done().text)
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+        "render; 4; the scene file's, or 640x480",
+        "compare; 1; the scene file's, or 640x480",
+        "report; 1; the scene file's, or 640x480",
+        "trace; 1; 320x240",
+        delimiter = ';',
+        quoteCharacter = '"',
+    )
+    fun helpSaysTheDefaultsOfItsCommand(command: String, samples: String, size: String) {
+        val help = zcli(command, "--help").done().text.replace(Regex("\\s+"), " ")
+        assertTrue("N is 1, 2, 4 or 8; default: $samples --" in help, help)
+        assertTrue("one number for a square; default: $size --" in help, help)
     }
 
     @Test

@@ -112,4 +112,25 @@ class FailureTest {
         assertTrue("zcli: warning: nothing is visible" in run.errors, run.errors)
         assertFalse("error" in run.errors)
     }
+
+    @Test
+    fun aPictureOfOneColourIsDoneWithAWarning() {
+        val options = arrayOf("--light", "flat", "--size", "40x30", "--aa", "1", "--stats=json")
+        val picture = folder.resolve("x.png")
+        val run = zcli("render", folder.wedge(), "-o", picture, *options, "--color", "white")
+        assertEquals(0, run.code)
+        assertTrue("zcli: warning: all pixels have the same colour" in run.errors, run.errors)
+        assertEquals("true", run.stat("blank"))
+        val series =
+            zcli("render", folder.wedge(), "-o", folder.resolve("{view}.png"), *options, "--views", "front,iso")
+        assertEquals(2, Regex("all pixels have the same colour").findAll(series.errors).count(), series.errors)
+        zcli("render", folder.wedge(), "-o", picture, *options, "--background", "black").done()
+    }
+
+    @Test
+    fun aPictureThatOneSurfaceFillsHasNoWarning() {
+        val options = arrayOf("--shading", "constant", "--size", "40x30", "--region", "20,15,3x3", "--stats=json")
+        val run = zcli("render", folder.wedge(), "-o", folder.resolve("x.png"), *options).done()
+        assertEquals(listOf("false", "9"), listOf("blank", "visible").map { run.stat(it) })
+    }
 }

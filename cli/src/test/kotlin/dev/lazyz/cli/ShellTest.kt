@@ -48,6 +48,32 @@ class ShellTest {
         assertEquals("part.stl", completed(folder, "render", "-o", "par"))
     }
 
+    @Test
+    fun bashCompletesNamesOfStrategiesColoursDataAndScenes(@TempDir folder: Path) {
+        assumeTrue(Path.of("/bin/bash").toFile().exists())
+        folder.resolve("zcli.bash").writeText(zcli("completion", "bash").done().text)
+        folder.resolve("teacup.stl").writeText("")
+        for (command in listOf("render", "compare", "report", "trace", "conformance")) {
+            assertEquals("lazy", completed(folder, command, "--strategy", "la"), command)
+        }
+        assertEquals("auto", completed(folder, "render", "--strategy", "au"))
+        assertEquals("zbuffer,lazy", completed(folder, "compare", "--strategy", "zbuffer,la"))
+        assertEquals("iso,front", completed(folder, "render", "--views", "iso,fr"))
+        assertEquals("skyblue", completed(folder, "render", "--background", "sky"))
+        assertEquals("skyblue,wheat", completed(folder, "render", "--background", "skyblue,whe"))
+        for (option in listOf("--color", "--edge-color", "--cap-color")) {
+            assertEquals("rebeccapurple", completed(folder, "render", option, "rebec"))
+        }
+        assertEquals("depth=", completed(folder, "render", "--aov", "dep"))
+        assertEquals("depth=", completed(folder, "render", "--aov-picture", "dep"))
+        assertEquals("farthest", completed(folder, "render", "--select", "fa"))
+        assertEquals("scene", completed(folder, "render", "--camera", "sc"))
+        assertEquals("-x -y -z", completed(folder, "render", "--up", "-"))
+        for (command in listOf("render", "compare", "report", "trace")) {
+            assertEquals("teacup.stl teapot", completed(folder, command, "tea"), command)
+        }
+    }
+
     private fun completed(folder: Path, vararg words: String): String {
         val line = "COMP_WORDS=(zcli ${words.joinToString(" ")}); COMP_CWORD=${words.size}; _zcli"
         val process = ProcessBuilder("/bin/bash", "-c", "source ./zcli.bash; $line; echo \"\${COMPREPLY[@]}\"")

@@ -102,7 +102,7 @@ internal class InputPictures(
                 var counters = Counters.NONE
                 write(shot) { sink -> counters = shot.render(strategy, FanOut(listOf(sink, tally))) }
                 val nanoseconds = System.nanoTime() - start
-                if (tally.visible == 0L) streams.nothingIsVisible(view.labels[frame])
+                streams.warnIfBlank(tally, view.labels[frame])
                 if (request.stats != null) {
                     statistics.append(
                         text(

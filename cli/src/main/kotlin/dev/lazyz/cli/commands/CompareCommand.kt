@@ -1,6 +1,5 @@
 package dev.lazyz.cli.commands
 
-import com.github.ajalt.clikt.completion.CompletionCandidates
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
@@ -21,6 +20,7 @@ import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
+import dev.lazyz.cli.options.Completions
 import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
@@ -51,7 +51,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     private val inputs by argument(
         "INPUT",
         help = "$INPUT_HELP; or a folder: all models and scene files in it",
-        completionCandidates = CompletionCandidates.Path,
+        completionCandidates = Completions.inputs,
     ).multiple(required = true)
     private val comparing by ComparingOptions()
     private val reading by ReadingOptions()
@@ -107,7 +107,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     }
 
     private fun subject(input: String): Subject =
-        subject(input, reading, limits, picture, light, camera, lines, usualSamples = 1)
+        subject(input, reading, limits, picture, light, camera, lines)
 }
 
 /** Options that choose what to compare, and how to print the result. */

@@ -13,7 +13,7 @@ internal class CompletionCommand(private val streams: Streams) : Command(NAME) {
     private val shell by argument("SHELL", help = "bash, zsh or fish").choice("bash", "zsh", "fish")
 
     override fun help(context: Context): String =
-        "Prints a script with which a shell completes commands, options, their values and files."
+        "Prints a script with which a shell completes commands, options, values that are names, and files."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli completion bash > ~/.local/share/bash-completion/completions/zcli" to "for bash-completion",
@@ -23,8 +23,12 @@ internal class CompletionCommand(private val streams: Streams) : Command(NAME) {
 
     override fun run() {
         val zcli = checkNotNull(currentContext.parent).command
-        streams.print(CompletionGenerator.generateCompletionForCommand(zcli, shell).trimEnd() + "\n")
+        streams.print(withValues(CompletionGenerator.generateCompletionForCommand(zcli, shell)).trimEnd() + "\n")
     }
+
+    /** Returns [script], for bash and zsh such that it offers values that begin with `-`, as those of `--up`. */
+    private fun withValues(script: String): String =
+        script.replace("if [[ \"\${word}\" =~", "if [[ -z \"\${in_param}\" && \"\${word}\" =~")
 
     companion object {
         const val NAME = "completion"

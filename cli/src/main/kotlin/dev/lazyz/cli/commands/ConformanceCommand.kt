@@ -12,6 +12,7 @@ import dev.lazyz.cli.conformance.ConformanceProcess
 import dev.lazyz.cli.conformance.ConformanceWords
 import dev.lazyz.cli.conformance.FuzzingOptions
 import dev.lazyz.cli.options.Command
+import dev.lazyz.cli.options.Completions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.number
@@ -20,6 +21,7 @@ import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Nearest
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.conformance.EndedEarlyException
@@ -39,7 +41,12 @@ import kotlin.io.path.writeText
 /** `zcli conformance`: runs the conformance suite on a built-in or custom strategy. */
 internal class ConformanceCommand(private val streams: Streams, private val args: List<String>) :
     Command("conformance") {
-    private val strategy by option("--strategy", metavar = "ID", help = "The strategy to test")
+    private val strategy by option(
+        "--strategy",
+        metavar = "ID",
+        help = "The strategy to test",
+        completionCandidates = Completions.words { Strategies.ids() },
+    )
 
     private val classPath by classPath()
 

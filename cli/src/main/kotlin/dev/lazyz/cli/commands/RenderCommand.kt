@@ -18,6 +18,7 @@ import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.options.AovOptions
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
+import dev.lazyz.cli.options.Completions
 import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
@@ -45,6 +46,8 @@ import dev.lazyz.cli.render.RenderJob
 import dev.lazyz.cli.render.RenderRequest
 import dev.lazyz.cli.render.Resumption
 import dev.lazyz.cli.render.StatsForm
+import dev.lazyz.cli.strategies.Strategies
+import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.ImageSize
@@ -58,7 +61,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     private val inputs by argument(
         "INPUT",
         help = "$INPUT_HELP; or a folder: all models and scene files in it",
-        completionCandidates = CompletionCandidates.Path,
+        completionCandidates = Completions.inputs,
     ).multiple(required = true)
     private val output by OutputOptions()
     private val aovs by AovOptions()
@@ -66,7 +69,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     private val reference by ReferenceOptions()
     private val reading by ReadingOptions()
     private val streaming by StreamOptions()
-    private val picture by PictureOptions()
+    private val picture by PictureOptions(USUAL_SAMPLES)
     private val light by LightOptions()
     private val camera by CameraOptions()
     private val lines by LineOptions()
@@ -100,7 +103,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     )
 
     override fun run() {
-        if (rendering.selector != null && picture.shadingRate == ShadingRate.PIXEL) {
+        if (rendering.isSelecting && picture.shadingRate == ShadingRate.PIXEL) {
             throw Mistake("--shading-rate pixel cannot be combined with --select")
         }
         val spooling = streaming.spoolOption ?: limits.spoolOption
@@ -182,10 +185,10 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
 
     private fun subject(input: String, usualSize: ImageSize?): Subject {
         // The colours of a count are names of numbers, which must not be mixed
-        val usualSamples = if (rendering.selector == Selector.count()) 1 else USUAL_SAMPLES
+        val usualSamples = if (rendering.selector == Selector.count()) 1 else picture.usualSamples
         return subject(
             input, reading, limits, picture, light, camera, lines, usualSamples,
-            isSelected = rendering.selector != null, usualSize, memory.bytes,
+            isSelected = rendering.isSelecting, usualSize, memory.bytes,
         )
     }
 
@@ -263,6 +266,7 @@ private class RenderingOptions : OptionGroup("Rendering") {
     val strategy by option(
         "--strategy",
         metavar = "ID",
+        completionCandidates = Completions.words { Strategies.ids() + StrategyChoice.AUTO },
         help = "The algorithm that removes hidden surfaces; the picture is the same; auto: choose by expected time; " +
             "default: the first of 'zcli strategies' that supports what the scene and the other options need",
     )
@@ -280,4 +284,7 @@ private class RenderingOptions : OptionGroup("Rendering") {
             "front), count (their number, as a colour) or blend; default: nearest, or blend if the scene is " +
             "translucent",
     ).selector()
+
+    /** Whether pixels can show other surfaces than the nearest. */
+    val isSelecting: Boolean get() = selector != null && selector != Selector.nearest()
 }

@@ -12,6 +12,7 @@ import dev.lazyz.cli.compare.CompareRequest
 import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
+import dev.lazyz.cli.options.Completions
 import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
@@ -39,7 +40,7 @@ import dev.lazyz.cli.strategies.StrategyPath
  * @param args the words of the command line, for the page and for bug reports
  */
 internal class ReportCommand(private val streams: Streams, private val args: List<String>) : Command("report") {
-    private val input by argument("INPUT", help = INPUT_HELP)
+    private val input by argument("INPUT", help = INPUT_HELP, completionCandidates = Completions.inputs)
     private val page by ReportOptions()
     private val reading by ReadingOptions()
     private val picture by PictureOptions()
@@ -53,8 +54,7 @@ internal class ReportCommand(private val streams: Streams, private val args: Lis
         "Renders a model or a scene with all strategies, and writes a page of HTML with pictures, counters, heat " +
             "maps and charts.\n\nThe page shows whether all pictures are the same, what each strategy did, where, " +
             "and in which order. It is one file, without scripts, and loads nothing. Its result is printed. Exit " +
-            "code 1: pictures differ, or a strategy failed; the page is written and says so. A sample is a pixel, " +
-            "unless --aa says otherwise."
+            "code 1: pictures differ, or a strategy failed; the page is written and says so."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli report city -o city.html" to "all strategies on a built-in scene",
@@ -63,7 +63,7 @@ internal class ReportCommand(private val streams: Streams, private val args: Lis
     )
 
     override fun run() {
-        val subject = subject(input, reading, limits, picture, light, camera, lines, usualSamples = 1)
+        val subject = subject(input, reading, limits, picture, light, camera, lines)
         val compared = CompareRequest(page.strategies.distinct(), cost.choices(), page.repeat, emptyList())
         val command = CommandLine.of(CommandLine.without(args, setOf("-o", "--output")) + listOf("-o", "report.html"))
         val report = StrategyPath.with(page.classPath) {

@@ -8,10 +8,10 @@ import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.required
-import com.github.ajalt.clikt.parameters.options.split
 import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
+import dev.lazyz.cli.options.Completions
 import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
@@ -22,6 +22,7 @@ import dev.lazyz.cli.options.PictureOptions
 import dev.lazyz.cli.options.ReadingOptions
 import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.count
+import dev.lazyz.cli.options.severalStrategies
 import dev.lazyz.cli.options.subject
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
@@ -34,10 +35,10 @@ import java.nio.file.Path
 
 /** `zcli trace`: declares the options. [TraceJob] does the work. */
 internal class TraceCommand(private val streams: Streams) : Command("trace") {
-    private val input by argument("INPUT", help = INPUT_HELP)
+    private val input by argument("INPUT", help = INPUT_HELP, completionCandidates = Completions.inputs)
     private val film by FilmOptions()
     private val reading by ReadingOptions()
-    private val picture by PictureOptions()
+    private val picture by PictureOptions(usualSize = ImageSize(320, 240))
     private val light by LightOptions()
     private val camera by CameraOptions()
     private val lines by LineOptions()
@@ -48,7 +49,7 @@ internal class TraceCommand(private val streams: Streams) : Command("trace") {
         "Makes a film of the order in which a strategy shades a picture.\n\nEach step shows some more shading calls: " +
             "pixels get their colours, and calls whose colour does not become part of the picture are pink. Two " +
             "strategies are shown side by side, with equally many calls at each step. Prints the numbers of calls. " +
-            "The default of --size is 320x240, and a sample is a pixel."
+            "A sample is a pixel."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli trace teapot --strategy lazy -o order.gif" to "the order of one strategy",
@@ -63,18 +64,12 @@ internal class TraceCommand(private val streams: Streams) : Command("trace") {
         if ("--threads" in choices.needs) {
             throw Mistake("--threads cannot be used here: the order of shading calls is that of one thread")
         }
-        val subject = subject(
-            input, reading, limits, picture, light, camera, lines, usualSamples = 1, usualSize = USUAL_SIZE,
-        )
+        val subject = subject(input, reading, limits, picture, light, camera, lines)
         val request =
             TraceRequest(subject, film.output, film.strategies, choices, film.steps, film.framesPerSecond)
         StrategyPath.with(film.classPath) {
             TimeLimit.OF_PROCESS.hold(subject.timeLimit, input) { TraceJob(request, streams).run() }
         }
-    }
-
-    private companion object {
-        val USUAL_SIZE = ImageSize(320, 240)
     }
 }
 
@@ -89,11 +84,9 @@ private class FilmOptions : OptionGroup("Film") {
         .convert { Path.of(it) }
         .required()
 
-    val strategies by option(
-        "--strategy",
-        metavar = "ID",
-        help = "The strategy, or two, separated by a comma; default: as for render",
-    ).split(",").default(emptyList())
+    val strategies by severalStrategies(
+        "The strategy; for two, separate them by a comma, or repeat the option; default: as for render",
+    )
 
     val classPath by classPath()
 

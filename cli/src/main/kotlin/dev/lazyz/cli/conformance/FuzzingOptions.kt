@@ -3,9 +3,11 @@ package dev.lazyz.cli.conformance
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.Renderer
+import dev.lazyz.cli.options.Completions
 import dev.lazyz.cli.options.number
 import dev.lazyz.cli.options.path
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.conformance.fuzz.DifferentialFuzzing
 import dev.lazyz.conformance.fuzz.DifferentialReport
 import java.time.Duration
@@ -20,6 +22,7 @@ internal class FuzzingOptions :
         "--against",
         metavar = "ID",
         help = "The reference strategy",
+        completionCandidates = Completions.words { Strategies.ids() },
     )
 
     private val minutes by option("--minutes", help = "How many minutes to run, 0.01..10000; default: 1")

@@ -28,7 +28,7 @@ internal class AovOptions : OptionGroup("Data of pixels (AOVs)") {
     /** What the options ask for. */
     val outputs: AovOutputs get() = AovOutputs(data, pictures)
 
-    private fun RawOption.output() = convert("AOV=FILE") { text ->
+    private fun RawOption.output() = convert("AOV=FILE", Completions.names { ids + ALL }) { text ->
         val file = text.substringAfter('=', "")
         val words = text.substringBefore('=').lowercase()
         if (file.isEmpty() || words.isEmpty()) fail("'$text' is not AOV=FILE, such as depth=depth.png")

@@ -4,8 +4,6 @@ import com.github.ajalt.clikt.completion.CompletionCandidates
 import com.github.ajalt.clikt.parameters.options.NullableOption
 import com.github.ajalt.clikt.parameters.options.RawOption
 import com.github.ajalt.clikt.parameters.options.convert
-import com.github.ajalt.colormath.Color
-import com.github.ajalt.colormath.parseOrNull
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
@@ -52,27 +50,29 @@ internal fun RawOption.region(): NullableOption<Region, Region> = convert("X,Y,W
     Region(x, y, x + width, y + height)
 }
 
+private val selectors = mapOf(
+    "nearest" to Selector.nearest(),
+    "farthest" to Selector.farthest(),
+    "count" to Selector.count(),
+    "blend" to Selector.blend(),
+)
+
 /** An option whose value is the name of a selector, or `kth:K`. */
-internal fun RawOption.selector(): NullableOption<Selector, Selector> = convert("SELECTOR") { text ->
-    val selectors = mapOf(
-        "nearest" to Selector.nearest(),
-        "farthest" to Selector.farthest(),
-        "count" to Selector.count(),
-        "blend" to Selector.blend(),
-    )
-    val name = text.lowercase()
-    val number = name.substringAfter("kth:", "").takeIf { it.isNotEmpty() }
-    when {
-        name in selectors -> selectors.getValue(name)
-        number != null -> Selector.kthNearest(
-            number.toIntOrNull()?.takeIf { it >= 1 } ?: fail("K of kth:K must be a whole number, 1 or more: $text"),
-        )
-        else -> {
-            val hint = Nearest.hint(text, selectors.keys)
-            fail("'$text' is not one of nearest, farthest, kth:K, count, blend$hint")
+internal fun RawOption.selector(): NullableOption<Selector, Selector> =
+    convert("SELECTOR", CompletionCandidates.Fixed(selectors.keys)) { text ->
+        val name = text.lowercase()
+        val number = name.substringAfter("kth:", "").takeIf { it.isNotEmpty() }
+        when {
+            name in selectors -> selectors.getValue(name)
+            number != null -> Selector.kthNearest(
+                number.toIntOrNull()?.takeIf { it >= 1 } ?: fail("K of kth:K must be a whole number, 1 or more: $text"),
+            )
+            else -> {
+                val hint = Nearest.hint(text, selectors.keys)
+                fail("'$text' is not one of nearest, farthest, kth:K, count, blend$hint")
+            }
         }
     }
-}
 
 /** An option whose value is an amount of memory: `65536`, `64k`, `16MiB`. */
 internal fun RawOption.bytes(): NullableOption<Long, Long> = convert("SIZE") { text ->
@@ -137,47 +137,42 @@ internal fun RawOption.vector(): NullableOption<Vector3dc, Vector3dc> = convert(
 }
 
 /** An option whose value is `fit`, `scene` or the number of a camera. */
-internal fun RawOption.camera(): NullableOption<CameraChoice, CameraChoice> = convert("CAMERA") { text ->
-    when (text.lowercase()) {
-        "fit" -> CameraChoice.Fit
-        "scene" -> CameraChoice.OfScene
-        else -> CameraChoice.OfModel(
-            text.toIntOrNull()?.takeIf { it >= 0 } ?: fail("'$text' is not fit, scene or a number, 0 or more"),
-        )
+internal fun RawOption.camera(): NullableOption<CameraChoice, CameraChoice> =
+    convert("CAMERA", CompletionCandidates.Fixed("fit", "scene")) { text ->
+        when (text.lowercase()) {
+            "fit" -> CameraChoice.Fit
+            "scene" -> CameraChoice.OfScene
+            else -> CameraChoice.OfModel(
+                text.toIntOrNull()?.takeIf { it >= 0 } ?: fail("'$text' is not fit, scene or a number, 0 or more"),
+            )
+        }
     }
-}
 
 /**
  * An option whose value is a colour: `#rgb`, `#rrggbb`, `#rrggbbaa`, the same without `#` (which begins a comment in
  * shells), or a name of CSS.
  */
-internal fun RawOption.color(): NullableOption<Rgba, Rgba> = convert("COLOR") { text -> color(text) { fail(it) } }
+internal fun RawOption.color(): NullableOption<Rgba, Rgba> =
+    convert("COLOR", Completions.words { Rgba.names }) { text -> color(text) { fail(it) } }
 
 /** An option whose value is a colour, or two colours, the upper and the lower end of a gradient: `skyblue,white`. */
-internal fun RawOption.backdrop(): NullableOption<Backdrop, Backdrop> = convert("COLOR") { text ->
-    val colors = text.split(',').map { word -> color(word) { fail(it) } }
-    when {
-        colors.size == 1 -> Backdrop(colors[0])
-        colors.size > 2 -> fail("a gradient has two colours, TOP,BOTTOM: $text")
-        colors.any { it.alpha < 1f } -> fail("the colours of a gradient must be opaque: $text")
-        else -> Backdrop(VerticalGradient(colors[0], colors[1]))
+internal fun RawOption.backdrop(): NullableOption<Backdrop, Backdrop> =
+    convert("COLOR", Completions.lists { Rgba.names }) { text ->
+        val colors = text.split(',').map { word -> color(word) { fail(it) } }
+        when {
+            colors.size == 1 -> Backdrop(colors[0])
+            colors.size > 2 -> fail("a gradient has two colours, TOP,BOTTOM: $text")
+            colors.any { it.alpha < 1f } -> fail("the colours of a gradient must be opaque: $text")
+            else -> Backdrop(VerticalGradient(colors[0], colors[1]))
+        }
     }
-}
 
 /** Returns the colour that [text] describes, or calls [fail] with a message. */
 private fun color(text: String, fail: (String) -> Nothing): Rgba = try {
-    Rgba.parse(if (text.matches(Regex("[0-9a-fA-F]{3,8}"))) "#$text" else text.lowercase())
+    Rgba.parse(if (text.matches(Regex("[0-9a-fA-F]{3,8}"))) "#$text" else text)
 } catch (_: IllegalArgumentException) {
-    named(text) ?: run {
-        val hint = Nearest.hint(text, listOf("transparent", "black", "white"))
-        fail("'$text' is not a colour: neither a name of CSS nor hexadecimal rgb, rrggbb or rrggbbaa$hint")
-    }
-}
-
-/** Returns the colour called [name] in CSS, or null. */
-private fun named(name: String): Rgba? {
-    val color = if (name.all { it.isLetter() }) Color.parseOrNull(name.lowercase()) else null
-    return color?.let { Rgba.ofArgb(it.toSRGB().toRGBInt().argb.toInt()) }
+    val hint = Nearest.hint(text, Rgba.names)
+    fail("'$text' is not a colour: neither a name of CSS nor hexadecimal rgb, rrggbb or rrggbbaa$hint")
 }
 
 /** An option whose value is one of the names of [values]. */
@@ -186,7 +181,7 @@ internal fun <T : Any> RawOption.oneOf(metavar: String, values: Map<String, T>):
 
 /** An option whose value is a list of names of [values], separated by commas, each at most once. */
 internal fun <T : Any> RawOption.listOf(metavar: String, values: Map<String, T>): NullableOption<List<T>, List<T>> =
-    convert(metavar) { text ->
+    convert(metavar, Completions.lists { values.keys }) { text ->
         val found = LinkedHashSet<T>()
         for (name in text.split(',')) {
             if (!found.add(named(name, values) { fail(it) })) fail("'$name' is named twice: $text")

@@ -9,17 +9,22 @@ import dev.lazyz.cli.input.AntiAliasing
 import dev.lazyz.cli.input.PictureStyle
 import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.ShadingRate
+import dev.lazyz.scenes.ImageSize
 import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.Shading
 import dev.lazyz.world.surface.Points
 
-/** Options of the picture. */
-internal class PictureOptions : OptionGroup("Picture") {
+/**
+ * Options of the picture.
+ *
+ * @property usualSamples samples a pixel in each direction if the user does not choose
+ * @property usualSize the size if the user does not choose; null means that of the scene
+ */
+internal class PictureOptions(val usualSamples: Int = 1, val usualSize: ImageSize? = null) : OptionGroup("Picture") {
     val size by option(
         "--size",
-        help =
-        "Width and height in pixels, each 1..262144, or one number for a square; default: the scene file's, or " +
-            "640x480",
+        help = "Width and height in pixels, each 1..262144, or one number for a square; default: " +
+            (usualSize?.let { "${it.width}x${it.height}" } ?: "the scene file's, or 640x480"),
     ).size()
 
     val region by option(
@@ -30,7 +35,7 @@ internal class PictureOptions : OptionGroup("Picture") {
 
     private val samples by option(
         "--aa",
-        help = "Anti-aliasing: N x N samples a pixel, N is 1, 2, 4 or 8; default: 4 for render, 1 for compare",
+        help = "Anti-aliasing: N x N samples a pixel, N is 1, 2, 4 or 8; default: $usualSamples",
     ).oneOf("N", listOf(1, 2, 4, 8).associateBy { "$it" })
 
     private val filter by option(

@@ -5,9 +5,12 @@ import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.options.split
+import com.github.ajalt.clikt.parameters.options.transformAll
 import dev.lazyz.cli.input.PixelSizes
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.input.Translucency
+import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.filter.ShadingRate
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.ImageSize
@@ -35,9 +38,9 @@ internal fun subject(
     light: LightOptions,
     camera: CameraOptions,
     lines: LineOptions,
-    usualSamples: Int,
+    usualSamples: Int = picture.usualSamples,
     isSelected: Boolean = false,
-    usualSize: ImageSize? = null,
+    usualSize: ImageSize? = picture.usualSize,
     memory: Long? = null,
 ): Subject {
     val style = picture.style
@@ -77,12 +80,18 @@ internal fun ParameterHolder.classPath() = option(
 ).multiple()
 
 /** The option `--strategy` of commands that compare strategies. */
-internal fun ParameterHolder.comparedStrategies() = option(
+internal fun ParameterHolder.comparedStrategies() = severalStrategies(
+    "Compare this strategy; for more, separate ids by commas, or repeat the option; all others are compared with " +
+        "the first; default: all of 'zcli strategies'",
+)
+
+/** An option `--strategy` for several, separated by commas or repeated. */
+internal fun ParameterHolder.severalStrategies(help: String) = option(
     "--strategy",
     metavar = "ID",
-    help = "Compare this strategy; repeat the option for more; all others are compared with the first; " +
-        "default: all of 'zcli strategies'",
-).multiple()
+    help = help,
+    completionCandidates = Completions.lists { Strategies.ids() },
+).split(",").transformAll { it.flatten() }
 
 /** Options for reading the input. */
 internal class ReadingOptions : OptionGroup("Reading") {

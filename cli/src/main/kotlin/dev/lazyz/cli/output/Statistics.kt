@@ -35,7 +35,7 @@ internal class Statistics(
     ) + counted(counters, picture, aa) + mapOf(
         "visible" to tally.visible,
         "coverage" to tally.visible.toDouble() / picture.size,
-        "blank" to (tally.visible == 0L),
+        "blank" to (tally.visible == 0L || tally.isIndistinct),
         "warnings" to warnings,
         "millis" to millis(nanoseconds),
         "pixelHash" to tally.hash(),
@@ -68,7 +68,7 @@ internal class Statistics(
     }
 }
 
-/** Counts the visible samples of the rows, and computes the hash of the picture. */
+/** Counts the visible samples of the rows, compares their colours, and computes the hash of the picture. */
 internal class Tally(private val width: Int, isHashed: Boolean) : RowSink {
     private val hash = if (isHashed) PixelHash() else null
 
@@ -76,7 +76,18 @@ internal class Tally(private val width: Int, isHashed: Boolean) : RowSink {
     var visible = 0L
         private set
 
+    private var pixels = 0L
+    private var color = 0
+    private var isUniform = true
+
+    /** Whether what is visible so far has the same colour as the background around it. */
+    val isIndistinct: Boolean get() = isUniform && visible in 1 until pixels
+
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        if (pixels == 0L) color = argb[0]
+        var x = 0
+        while (isUniform && x < width) isUniform = argb[x++] == color
+        pixels += width
         var count = 0
         for (x in 0 until width) if (primitive[x] != DepthTest.BACKGROUND) count++
         visible += count

@@ -49,8 +49,19 @@ internal class Streams(
     }
 
     /** Warns of an empty picture, of [what] if there are several. */
-    fun nothingIsVisible(what: String? = null) =
-        warning((if (what == null) "" else "$what: ") + "nothing is visible: the picture is all background")
+    fun nothingIsVisible(what: String? = null) = warning(what, "nothing is visible: the picture is all background")
+
+    /** Warns if nothing can be seen in the picture counted by [tally], of [what] if there are several. */
+    fun warnIfBlank(tally: Tally, what: String? = null) {
+        if (tally.visible == 0L) {
+            nothingIsVisible(what)
+        } else if (tally.isIndistinct) {
+            val advice = "choose another --background, --light or --color"
+            warning(what, "all pixels have the same colour, also those of the background; $advice")
+        }
+    }
+
+    private fun warning(what: String?, message: String) = warning((if (what == null) "" else "$what: ") + message)
 
     /** Prints text to standard error without a prefix. */
     fun note(text: String) {

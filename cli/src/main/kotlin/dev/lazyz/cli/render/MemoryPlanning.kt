@@ -153,7 +153,11 @@ internal class MemoryPlanning(
     }
 
     private fun plan(shot: Shot, items: List<MemoryItem>, bytes: Long): RenderPlan =
-        shot.plan(RenderPlanner(bytes, request.choices.options()), choice.rendererChoices(shot.frame, bytes), items)
+        shot.plan(
+            RenderPlanner(bytes, request.choices.forFrame(shot.frame).options()),
+            choice.rendererChoices(shot.frame, bytes),
+            items,
+        )
 
     /** Returns the memory with which [shot] can be rendered, besides [items], after the steps so far. */
     private fun enough(shot: Shot, items: List<MemoryItem>): Long {

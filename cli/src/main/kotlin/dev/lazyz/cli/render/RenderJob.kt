@@ -95,7 +95,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val nanoseconds = System.nanoTime() - start
 
         // Report
-        if (tally.visible == 0L && rendered == shot.pixels) streams.nothingIsVisible()
+        if (rendered == shot.pixels) streams.warnIfBlank(tally)
         outputs.describe(shot.pixels)
         val name = source.input.name
         val difference = colors?.let { reference.compare(it) }

@@ -21,10 +21,13 @@ internal object Strategies {
         throw Mistake("a renderer on the class path cannot be loaded: $broken\nIs a jar that it needs missing?")
     }
 
+    /** Returns the ids of all renderers. */
+    fun ids(): List<String> = all().map { it.id }
+
     fun find(id: String): Renderer {
         val all = all()
         return all.firstOrNull { it.id == id } ?: throw Mistake(
-            "no strategy '$id'${Nearest.hint(id, all.map { it.id })}\nSee 'zcli strategies'.",
+            "no strategy '$id'${Nearest.hint(id, ids())}\nSee 'zcli strategies'.",
         )
     }
 

@@ -15,7 +15,7 @@ import dev.lazyz.strategies.StrategyEstimates
  *
  * @param id the id that the user named, [AUTO], or null
  */
-internal class StrategyChoice(id: String?, private val choices: Choices) {
+internal class StrategyChoice(private val id: String?, private val choices: Choices) {
     private val isAutomatic = id == AUTO
     private val named: Renderer? = id?.takeIf { it != AUTO }?.let { Strategies.find(it) }
 
@@ -41,12 +41,22 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
      * returns, then the others in the order of the list.
      */
     fun rendererChoices(frame: Frame, memory: Long): List<Renderer> {
+        val own = forFrame(frame)
+        if (own !== this) return own.rendererChoices(frame, memory)
         val first = strategyFor(frame, memory)
         return listOf(first) + candidates.filter { it.id != first.id }.map { choices.applyTo(it) }
     }
 
+    /** Returns the choice for [frame], which needs more capabilities if its translucent surfaces do. */
+    private fun forFrame(frame: Frame): StrategyChoice {
+        val own = choices.forFrame(frame)
+        return if (own.needs == choices.needs) this else StrategyChoice(id, own)
+    }
+
     /** Returns the strategy for [frame], configured as chosen. */
     fun strategyFor(frame: Frame, memory: Long = Runtime.getRuntime().maxMemory()): Renderer {
+        val own = forFrame(frame)
+        if (own !== this) return own.strategyFor(frame, memory)
         if (frame.isStreamed) return streaming(frame)
         if (isAutomatic) estimates(frame, memory).best?.let { return it.renderer }
         val configured = candidates.asSequence().map { choices.applyTo(it) }
@@ -72,6 +82,8 @@ internal class StrategyChoice(id: String?, private val choices: Choices) {
      * [memory] bytes may be used.
      */
     fun explain(strategy: Renderer, frame: Frame, memory: Long): String {
+        val own = forFrame(frame)
+        if (own !== this) return own.explain(strategy, frame, memory)
         if (frame.isStreamed) {
             val why = if (named != null) "--strategy names it" else "it is the first that renders streamed models"
             return "${frame.primitives.size} primitives are read part by part\nchosen: ${strategy.id}, because $why\n"

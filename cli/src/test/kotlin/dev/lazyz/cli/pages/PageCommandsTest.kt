@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir
 
 /**
  * The commands of the pages succeed, each where it says. By default only the first blocks of the pages that a newcomer
- * reads are run, with `-Dlazyz.effort=rest` those of each second page, and with `full` all.
+ * reads are run, with `-Dlazyz.effort=rest` all pages with others, and with `full` all.
  */
 class PageCommandsTest {
     private val commands = FencedBlock.all.filter { it.language == "sh" }
@@ -29,10 +29,16 @@ class PageCommandsTest {
             .toList()
 
     private val effort: String? = System.getProperty("lazyz.effort")
-    private val isShort = effort == null
 
-    /** Most blocks of a page. Blocks use files of those before them, so the first ones are run. */
-    private val most = if (isShort) 2 else Int.MAX_VALUE
+    /** Returns those of the [blocks] of [page] that are run. Blocks use files of those before them on their page. */
+    private fun run(page: String, blocks: List<FencedBlock>): List<FencedBlock> {
+        val usual = if (page in NEWCOMERS) blocks.take(2) else emptyList()
+        return when {
+            effort == null -> usual
+            effort == "rest" && usual.size == blocks.size -> emptyList()
+            else -> blocks
+        }
+    }
 
     private fun FencedBlock.reasons() = NOT_RUN.filterKeys { name.startsWith(it) }.values
 
@@ -41,13 +47,11 @@ class PageCommandsTest {
         assumeTrue(Path.of("/bin/bash").exists(), "there is no bash")
         val here = commands.filter { it !in ranByScript && it.reasons().isEmpty() }
         assertTrue(here.size >= 30, "${here.map { it.name }}")
-        val pages = here.groupBy { it.page }.toList().filterIndexed { i, (page, _) ->
-            if (isShort) page in NEWCOMERS else effort != "rest" || i % 2 == 1
-        }
-        return pages.map { (page, blocks) ->
+        val pages = here.groupBy { it.page }.mapValues { (page, blocks) -> run(page, blocks) }
+        return pages.filterValues { it.isNotEmpty() }.map { (page, blocks) ->
             dynamicTest(page) {
                 val place = folder.resolve(page.replace('/', '-')).createDirectories()
-                val scripts = blocks.take(most).map { smaller(it.lines.joinToString("\n")) }
+                val scripts = blocks.map { smaller(it.lines.joinToString("\n")) }
                 PageShell(place.resolve("files").createDirectories(), place).use { shell ->
                     shell.fill(scripts.joinToString("\n"))
                     for (script in scripts) shell.run(script)
@@ -63,6 +67,8 @@ class PageCommandsTest {
         val program = Regex("""^(zcli|java|mvn|gradle|curl|python3|pip|git|source|docker|\.?[\w-]+/[\w/-]+)( |$)""")
         val others = FencedBlock.all.filter { it.language.isEmpty() && program.containsMatchIn(it.lines.first()) }
         assertEquals(emptyList<String>(), others.map { it.name })
+        val shells = setOf("bash", "shell", "console", "zsh", "shell-session", "sh-session", "terminal")
+        assertEquals(emptyList<String>(), FencedBlock.all.filter { it.language.lowercase() in shells }.map { it.name })
     }
 
     @Test
@@ -119,6 +125,7 @@ class PageCommandsTest {
             "docs/server.md: mvn" to "starts a service that does not end; examples/docker/check starts it",
             "docs/server.md: curl" to "needs the service; examples/docker/check asks it for a picture",
             "docs/server.md: java" to "takes four minutes; tests of the server try each kind of client",
+            "docs/spark-scaling.md: mvn" to MEASURES,
             "examples/third-party-strategy/README.md: mvn -q install" to "as in docs/conformance.md, in another folder",
             "examples/third-party-strategy/README.md: mvn -q verify" to "as in docs/conformance.md, in another folder",
             "examples/third-party-strategy/README.md: mvn -q package" to "as in docs/conformance.md, in another folder",

@@ -56,8 +56,8 @@ class PictureSettingsTest {
         val model = folder.wedge()
         assertSame(model, usual.withViewpoint(Camera.fit(View.TOP.azimuth, View.TOP.elevation)), "--view", "top")
         assertSame(model, usual.withUp(UpAxis.Z), "--up", "z")
-        val sunny = usual.withLight(LightRig.SUN).withLightIntensity(2f)
-        assertSame(model, sunny, "--light", "sun", "--light-intensity", "2")
+        val sunny = usual.withLight(LightRig.SUN).withLightIntensity(0.5f)
+        assertSame(model, sunny, "--light", "sun", "--light-intensity", "0.5")
         assertSame(model, usual.withBackground(Rgba.TRANSPARENT), "--background", "transparent")
         assertSame(model, usual.withSampling(SuperSampling(2)), "--aa", "2")
     }

@@ -39,7 +39,7 @@ class StreamTest {
         model.writeBytes(Hills(70).stl())
         for (options in listOf(
             listOf("--shading", "flat"), listOf("--shading", "flat", "--color", "steelblue", "--view", "top"),
-            listOf("--shading", "constant", "--aa", "2", "--region", "20,11,33x40"),
+            listOf("--shading", "constant", "--aa", "2", "--region", "20,11,33x40", "--background", "grey"),
             listOf("--shading", "flat", "--up", "-x", "--background", "red,blue", "--aa-filter", "mitchell"),
         )) {
             val whole = pixels(*options.toTypedArray())

@@ -102,6 +102,14 @@ class ReportTest {
     }
 
     @Test
+    fun strategiesAreRepeatedOrSeparatedByCommas() {
+        val wedge = folder.wedge()
+        val commas = report(wedge, "--strategy", "zbuffer,lazy", "--repeat", "1").done().text
+        assertTrue("2 strategies" in commas, commas)
+        report(wedge, "--strategy", "zbuffer,lasy").mistake("no strategy 'lasy'; did you mean 'lazy'?")
+    }
+
+    @Test
     fun chartsShowTheTable() {
         report("city").done()
         val page = page()

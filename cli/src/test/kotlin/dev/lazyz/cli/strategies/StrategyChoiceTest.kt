@@ -49,7 +49,7 @@ class StrategyChoiceTest {
     fun theFirstThatHeedsTheFlagsIsTaken() {
         assertEquals(firstWith(Capability.MEMORY_BUDGET), strategyOf("teapot", "--memory-budget", "1k"))
         assertEquals(firstWith(Capability.COHERENCE), strategyOf("teapot", "--coherence", "incremental"))
-        assertEquals(firstWith(Capability.SELECTION), strategyOf("teapot", "--select", "nearest"))
+        assertEquals(firstWith(Capability.SELECTION), strategyOf("teapot", "--select", "farthest"))
         withCapable {
             assertEquals(firstWith(Capability.PARALLEL), strategyOf("teapot", "--threads", "2"))
             assertEquals(firstWith(Capability.PARALLEL), strategyOf("teapot", "--tile-size", "8"))
@@ -119,6 +119,25 @@ class StrategyChoiceTest {
             .mistake("no strategy that supports --memory-budget (hybrid, lazy", "blends")
         assertNoPicture()
         render(folder.glass(), "--memory-budget", "1k", "--opaque").done()
+    }
+
+    @Test
+    fun eachStrategyShowsTheNearestOfOpaqueSurfaces() {
+        for (id in listOf("zbuffer", "lazy")) {
+            assertEquals(id, strategyOf("teapot", "--strategy", id, "--select", "nearest"))
+        }
+        assertEquals(Renderers.all().first().id, strategyOf("teapot", "--select", "nearest"))
+        strategyOf("teapot", "--shading-rate", "pixel", "--select", "nearest")
+        strategyOf("teapot", "--memory-budget", "1k", "--select", "nearest")
+    }
+
+    @Test
+    fun theNearestOfTranslucentSurfacesIsSelected() {
+        assertEquals(firstWith(Capability.SELECTION), strategyOf(folder.glass(), "--select", "nearest"))
+        render(folder.glass(), "--select", "nearest", "--strategy", "tiled")
+            .mistake("strategy 'tiled' does not support --select (lists")
+        render(folder.glass(), "--select", "nearest", "--shading-rate", "pixel").mistake("the scene is translucent")
+        strategyOf(folder.glass(), "--select", "nearest", "--strategy", "tiled", "--opaque")
     }
 
     @Test

@@ -73,6 +73,8 @@ class TraceTest {
     @Test
     fun discardedCallsArePinkAndTwoStrategiesAreSideBySide() {
         val text = trace("city", "two.gif", "--strategy", "zbuffer,scanline").done().text
+        val repeated = trace("city", "again.gif", "--strategy", "zbuffer", "--strategy", "scanline")
+        assertEquals(text, repeated.done().text)
         assertEquals(listOf("zbuffer", "scanline"), text.lines().dropLast(1).map { it.substringBefore(':') })
         val film = pictures("two.gif")
         assertEquals(240 + 8 + 240, film[0].width)

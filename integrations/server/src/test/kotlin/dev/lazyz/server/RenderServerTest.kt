@@ -53,6 +53,12 @@ class RenderServerTest {
         assertEquals(0, ImageIO.read(ByteArrayInputStream(answer.body())).getRGB(0, 0) ushr 24)
     }
 
+    @Test
+    fun aBackgroundCanBeANameOfCss() {
+        val answer = client.post("/render?size=16&background=SkyBlue", Client.MODEL)
+        assertEquals(0xFF87CEEB.toInt(), ImageIO.read(ByteArrayInputStream(answer.body())).getRGB(0, 0))
+    }
+
     @ParameterizedTest
     @CsvSource(
         "400, /render?sise=5, there is no parameter 'sise'",
@@ -61,7 +67,7 @@ class RenderServerTest {
         "400, /render?aa=3, 'aa: ''3'' is not one of 1, 2, 4, 8'",
         "400, /render?zoom=0, zoom must be in 0.001..1000.0",
         "400, /render?zoom=NaN, is not a number",
-        "400, /render?background=mud, is not hexadecimal",
+        "400, /render?background=mud, is not a colour",
         "422, /render?format=stl, model",
         "404, /rendering, there is nothing at /rendering",
         "405, /metrics, is read with GET",

@@ -235,8 +235,28 @@ class MtlTest {
         Files.writeString(folder.resolve("m.mtl"), "newmtl a\n$text")
         val source = TestSources.of("mtllib m.mtl\n$triangle", folder)
         ObjParser.parse(source)
-        val expected = "library m.mtl: textures that are not used are 2 map_ks, 1 disp, 1 map_ns, 1 refl"
+        val expected = "library m.mtl: statements that are not used are 2 map_ks, 1 disp, 1 map_ns, 1 refl"
         assertTrue(source.warnings.single().endsWith(expected), source.warnings.toString())
+    }
+
+    @Test
+    fun coatsSheenAnisotropyAndFiltersGiveOneWarning() {
+        val text =
+            "newmtl a\nPcr 0.03\nPc 0.5\nPs 0.2\naniso 0.7\nanisor 0.1\nTf 0.5 1 1\nmap_Pc a.png\nmap_Tf b.png\n" +
+                "newmtl b\nmap_aniso c.png\nanisor 0.5\nmap_Ps d.png\nPc 1\n"
+        Files.writeString(folder.resolve("m.mtl"), text)
+        val source = TestSources.of("mtllib m.mtl\n$triangle", folder)
+        ObjParser.parse(source)
+        val warning = source.warnings.single()
+        for (kind in listOf("2 pc", "1 pcr", "1 ps", "1 aniso", "2 anisor", "1 tf", "1 map_pc")) {
+            assertTrue(Regex(" $kind(,| and|$)").containsMatchIn(warning), "$kind: $warning")
+        }
+    }
+
+    @Test
+    fun statementsThatWouldChangeNothingGiveNoWarning() {
+        val none = "Pc 0.0\nPcr 0.03\nPs 0\naniso 0\nanisor 0.5\nTf 1 1 1\n"
+        assertEquals(0.5f, mesh("${none}Pr 0.5").material.metallicRoughness?.roughness)
     }
 
     @Test

@@ -75,7 +75,7 @@ class SceneFileErrorsTest {
             arguments(file(""""size": [0, 10]"""), "size", "width must be in 1..262144: 0"),
             arguments(file(""""size": [6.5, 10]"""), "size[0]", "must be a whole number, not 6.5"),
             arguments(file(""""up": "w""""), "up", "write one of \"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\""),
-            arguments(file(""""background": "red""""), "background", "#rrggbb"),
+            arguments(file(""""background": "mud""""), "background", "#rrggbb"),
             arguments(file(""""background": [1, 2]"""), "background", "needs 3 or 4 numbers, not 2"),
             arguments(file(""""background": null"""), "background", "must be a colour"),
             arguments(file(""""background": [0, "x", 0]"""), "background[1]", "must be a number, not the text \"x\""),

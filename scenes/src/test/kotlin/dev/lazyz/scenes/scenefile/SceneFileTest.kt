@@ -39,6 +39,7 @@ class SceneFileTest {
     @Test
     fun coloursAreSrgbAsTextAndLinearAsNumbers() {
         assertEquals(Rgba.ofRgb(0x336699), background("\"#336699\""))
+        assertEquals(Rgba.ofRgb(0x87CEEB), background("\"skyblue\""))
         assertEquals(Rgba(0.5f, 2f, 0f), background("[0.5, 2, 0]"))
         assertEquals(Rgba(0.5f, 2f, 0f, 0.25f), background("[0.5, 2, 0, 0.25]"))
     }

@@ -17,7 +17,10 @@ internal enum class Parameter(val form: String, val help: String) {
     UP("AXIS", "which axis of the model points up: ${axes.keys.joinToString()}; default: z for stl and 3mf, else y"),
     SIZE("WxH", "width and height in pixels, or one number for a square; default: 640x480"),
     AA("N", "anti-aliasing, N x N samples a pixel: ${factors.keys.joinToString()}; default: 4, or 1 where necessary"),
-    BACKGROUND("COLOR", "hexadecimal rgb, rrggbb or rrggbbaa, or transparent, black, white; default: white"),
+    BACKGROUND(
+        "COLOR",
+        "a name of CSS, such as skyblue, transparent, or hexadecimal rgb, rrggbb or rrggbbaa; default: white",
+    ),
     VIEW("SIDE", "look from ${views.keys.joinToString()}"),
     AZIMUTH("DEGREES", "angle around the up axis: 0 front, 90 right; default: that of the view, or 30"),
     ELEVATION("DEGREES", "angle above the horizon, -90..90; default: that of the view, or 20"),

@@ -99,9 +99,9 @@ internal class PictureRequest(val format: SceneFormat?, val settings: PictureSet
         }
 
         private fun color(text: String): Rgba = try {
-            Rgba.parse(if (HEX.matches(text)) "#$text" else text.lowercase())
+            Rgba.parse(if (HEX.matches(text)) "#$text" else text)
         } catch (_: IllegalArgumentException) {
-            fail("background: '$text' is not hexadecimal rgb, rrggbb or rrggbbaa, transparent, black or white")
+            fail("background: '$text' is not a colour: neither a name of CSS nor hexadecimal rgb, rrggbb or rrggbbaa")
         }
 
         private fun fail(message: String): Nothing = throw Problem(Problem.BAD_REQUEST, message)

@@ -27,7 +27,7 @@ import java.io.Serializable
  * | `projection` | `perspective` or `orthographic` | `perspective` |
  * | `up` | the axis that points up: `x`, `-x`, `y`, `-y`, `z`, `-z` | that of the format |
  * | `aa` | 1, 2, 4 or 8: so many samples a pixel in each direction | 4, or 1 where necessary |
- * | `background` | `transparent`, `black`, `white`, or hexadecimal digits | that of the model |
+ * | `background` | a name of CSS, `transparent`, or hexadecimal digits | that of the model |
  * | `light` | `studio` or another arrangement of lights | that of the model |
  * | `light-intensity` | 0..1000 | 1, or more for dark materials |
  * | `format` | `obj`, `stl`, `ply`, `off`, `3mf`, `gltf`, `glb` or `scene` | by name, or by content |
@@ -117,7 +117,7 @@ public class PictureOptions(public val words: String) : Serializable {
         private val NAMES = listOf("size") + VIEWS +
             listOf("up", "aa", "background", "light", "light-intensity", "format", "output")
 
-        private fun color(text: String) = Rgba.parse(if (HEX.matches(text)) "#$text" else text.lowercase())
+        private fun color(text: String) = Rgba.parse(if (HEX.matches(text)) "#$text" else text)
 
         private fun word(constant: Enum<*>): String = constant.name.lowercase().replace('_', '-')
     }

@@ -62,7 +62,7 @@ internal class MtlLibrary(private val source: Source) {
             }
         }
         if (statements.unused.total > 0) {
-            source.warn("material library ${file.fileName}: textures that are not used are ${statements.unused}")
+            source.warn("material library ${file.fileName}: statements that are not used are ${statements.unused}")
         }
     }
 

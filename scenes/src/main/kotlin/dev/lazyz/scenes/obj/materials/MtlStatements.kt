@@ -33,10 +33,14 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
     /** The first line of the statement that was read last, counted from 1. */
     val number: Int get() = statements.number
 
-    /** Texture statements for features that are not rendered. */
+    /** Statements for features that are not rendered, except those that would change nothing. */
     val unused = KindCounts()
 
     private var current = HashMap<String, MtlMap>()
+
+    /** The keywords of [unused] in the current entry, and the numbers of those that modify another. */
+    private val features = HashSet<String>()
+    private val modifiers = HashMap<String, Int>()
 
     override fun readLine(): String? {
         while (statements.next()) {
@@ -44,7 +48,17 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
             val keyword = statement.substringBefore(' ').lowercase()
             return prepared(keyword, statement) ?: continue
         }
+        endEntry()
         return null
+    }
+
+    private fun endEntry() {
+        for ((keyword, count) in modifiers) {
+            val modified = MODIFIED.getValue(keyword)
+            if (modified in features || "map_$modified" in features) repeat(count) { unused.add(keyword) }
+        }
+        modifiers.clear()
+        features.clear()
     }
 
     /**
@@ -53,6 +67,7 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
      */
     private fun prepared(keyword: String, statement: String): String? {
         if (keyword == "newmtl") {
+            endEntry()
             current = HashMap()
             maps.add(current)
             haveOpacity.add(false)
@@ -69,9 +84,24 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
             "kd", "ks", "ke", "ns", "illum" -> numbers()
             "pm", "pr" -> null.also { setModel(keyword) }
             in USED_MAPS -> null.also { current[keyword] = MtlMap.parse(statement.substring(keyword.length)) }
-            else -> null.also { if (keyword.startsWith("map_") || keyword in MAPS) unused.add(keyword) }
+            else -> null.also { setUnused(keyword) }
         }
     }
+
+    private fun setUnused(keyword: String) {
+        val isTexture = keyword.startsWith("map_") || keyword in MAPS
+        if (!isTexture && (keyword !in NEUTRAL || isNeutral(keyword))) return
+        if (keyword in MODIFIED) {
+            modifiers.merge(keyword, 1, Int::plus)
+        } else {
+            features.add(keyword)
+            unused.add(keyword)
+        }
+    }
+
+    /** Returns whether all numbers of the statement are such that it changes nothing. */
+    private fun isNeutral(keyword: String): Boolean =
+        TextLines.words(statements.withoutComment()).drop(1).all { TextNumbers.parseFloat(it) == NEUTRAL[keyword] }
 
     private fun setModel(keyword: String) {
         val word = TextLines.words(statements.withoutComment()).getOrNull(1) ?: return
@@ -90,5 +120,14 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
 
         /** Keywords of other texture statements that do not begin with `map_`. */
         val MAPS = setOf("decal", "disp", "refl")
+
+        /**
+         * Keywords of numbers that are not rendered, each with the number that changes nothing: clear coat, its
+         * roughness, sheen, anisotropy, its rotation, and the colour of transmitted light.
+         */
+        val NEUTRAL = mapOf("pc" to 0f, "pcr" to 0f, "ps" to 0f, "aniso" to 0f, "anisor" to 0f, "tf" to 1f)
+
+        /** Those that modify another. */
+        val MODIFIED = mapOf("pcr" to "pc", "anisor" to "aniso")
     }
 }
