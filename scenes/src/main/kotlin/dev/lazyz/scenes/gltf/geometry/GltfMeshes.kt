@@ -20,9 +20,10 @@ internal class GltfMeshes(
     private val poses: GltfPoses,
 ) {
     private val materials = GltfMaterials(document)
+    private val instances = GltfInstances(document, accessors)
     private val meshes = HashMap<Int, List<GltfPart>>()
 
-    /** Returns the surfaces of a node, in world space. */
+    /** Returns the surfaces of a node, in world space: those of its mesh, once for each instance. */
     fun of(placed: PlacedNode): List<Surface> {
         val index = placed.node.mesh ?: return emptyList()
         val mesh = document.element(document.json.meshes, index, "meshes", "nodes[${placed.index}].mesh")
@@ -35,7 +36,19 @@ internal class GltfMeshes(
                 primitive(primitive, vertices, where)?.let { GltfPart(it, primitive, vertices, where) }
             }
         }
-        return own.map { withTangents(poses.posed(it, mesh, placed)) }
+        val shown = instances.of(placed)
+        for (part in own) repeated(part.surface, shown.size - 1L)
+        return shown.flatMap { instance -> own.map { withTangents(poses.posed(it, mesh, instance)) } }
+    }
+
+    /** Counts [more] copies of the triangles or lines of [surface]; [GltfPoses] counts the vertices. */
+    private fun repeated(surface: Surface, more: Long) {
+        val source = document.source
+        when {
+            more <= 0 -> return
+            surface is Mesh -> source.loading.triangles(source, more * surface.triangleCount)
+            surface is Lines -> source.loading.segments(source, more * surface.segmentCount)
+        }
     }
 
     private fun primitive(primitive: MeshPrimitive, vertices: GltfVertices, where: String): Surface? {
