@@ -56,8 +56,8 @@ class LoadingMemoryTest {
         val faces = names.joinToString("\n") { "usemtl $it\nf 1/1 2/1 3/1" }
         val path = folder.resolve("a.obj")
         Files.writeString(path, "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n$faces\n")
-        assertEquals("loaded", LoadInChild.run(path, 96L shl 20))
-        val refused = LoadInChild.run(path, 64L shl 20)
+        assertEquals("loaded", LoadInChild.run(path, 96L shl 20, decodedBytes = null))
+        val refused = LoadInChild.run(path, 64L shl 20, decodedBytes = null)
         assertTrue("bytes of decoded data" in refused && "-Xmx" in refused, refused)
     }
 
@@ -108,14 +108,16 @@ internal object LoadInChild {
     @JvmStatic
     fun main(args: Array<String>) {
         try {
-            Scenes.load(Path.of(args[0]), LoadLimits(decodedBytes = Long.MAX_VALUE))
+            Scenes.load(Path.of(args[0]), LoadLimits(decodedBytes = args[1].toLongOrNull()))
             println("loaded")
         } catch (e: SceneFormatException) {
             println(e.message)
         }
     }
 
-    /** Returns what [main] says in a heap of so many [bytes]. */
-    fun run(path: Path, bytes: Long): String =
-        ChildJava.run(LoadInChild::class.java, listOf("-Xmx${bytes shr 10}k", "-XX:+UseG1GC"), "$path")
+    /** Returns what [main] says in a heap of so many [bytes], with a limit for decoded data. */
+    fun run(path: Path, bytes: Long, decodedBytes: Long? = Long.MAX_VALUE): String {
+        val flags = listOf("-Xmx${bytes shr 10}k", "-XX:+UseG1GC")
+        return ChildJava.run(LoadInChild::class.java, flags, "$path", "$decodedBytes")
+    }
 }

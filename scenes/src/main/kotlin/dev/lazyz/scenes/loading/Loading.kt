@@ -75,7 +75,8 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     fun decode(source: Source, bytes: Long) {
         used = used.copy(decoded = used.decoded + bytes)
         val most = limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(read, limits.usableMemory)
-        check(source, used.decoded + used.decoding, most, "bytes of decoded data", "decodedBytes", "--max-decoded", MORE_MEMORY)
+        val memory = used.decoded + used.decoding
+        check(source, memory, most, "bytes of decoded data", "decodedBytes", "--max-decoded", MORE_MEMORY)
         if (Thread.currentThread().isInterrupted) source.fail(null, "is not read further: the thread is interrupted")
         val time = limits.time ?: return
         if (System.nanoTime() - start >= time.toNanos()) {

@@ -74,7 +74,7 @@ class GltfErrorsTest {
         val advice = "; correct it or export the model again"
         assertEquals("${start}scale[1]: a number${end}text$advice", node("\"scale\":[1,\"2\",1]"))
         assertEquals("${start}name: text${end}a list$advice", node("\"name\":[]"))
-        assertEquals("${start}children: a list${end}an object$advice", node("\"children\":{}"))
+        assertEquals("${start}children[0]: a whole number${end}an object$advice", node("\"children\":{}"))
         assertEquals("${start}extensions: an object${end}a list$advice", node("\"extensions\":[]"))
         assertEquals("${start}extensions: an object${end}7$advice", node("\"extensions\":7"))
     }
@@ -215,8 +215,10 @@ class GltfErrorsTest {
             val text = changed("\"mesh\":0", "\"mesh\":$wrong")
             assertFails(text, "nodes[0].mesh", "a whole number is expected, not ")
         }
-        assertFails(changed("\"mesh\":0", "\"mesh\":0,\"matrix\":\"1\""), "nodes[0].matrix", "a list is expected, not text")
-        assertFails(changed("\"nodes\":[0]", "\"nodes\":[0.5]"), "scenes[0].nodes[0]", "a whole number is expected, not 0.5")
+        val matrix = changed("\"mesh\":0", "\"mesh\":0,\"matrix\":\"1\"")
+        assertFails(matrix, "nodes[0].matrix", "a list is expected, not text")
+        val nodes = changed("\"nodes\":[0]", "\"nodes\":[0.5]")
+        assertFails(nodes, "scenes[0].nodes[0]", "a whole number is expected, not 0.5")
         assertFails(changed("\"POSITION\":0", "\"POSITION\":0.5"), "$PRIMITIVE.attributes.POSITION")
         val whole = changed("\"mesh\":0", "\"mesh\":0.0").toByteArray()
         assertEquals(1, GltfParser.parse(TestSources.of(whole)).surfaces.size)

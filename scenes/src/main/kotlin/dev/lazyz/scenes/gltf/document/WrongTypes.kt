@@ -10,8 +10,13 @@ internal object WrongTypes {
 
     /** Returns which type is expected where [e] occurred in [tree], and what is there. */
     fun problem(e: JsonMappingException, tree: JsonNode): String {
+        // A value where a list is expected is read as the only element of a list
         val found = e.path.fold(tree) { node, step ->
-            if (step.fieldName == null) node.path(step.index) else node.path(step.fieldName)
+            when {
+                step.fieldName != null -> node.path(step.fieldName)
+                node.isArray -> node.path(step.index)
+                else -> node
+            }
         }
 
         // For an element of an array, Jackson names the type of the array

@@ -20,7 +20,11 @@ internal class GltfInstances(private val document: GltfDocument, private val acc
             accessors.floats((attributes[name] as? Number)?.toInt(), "$where.$name", type)
         }
         val counts = used.map { (name, numbers) -> numbers.size / types.getValue(name).numComponents }.distinct()
-        if (counts.size > 1) document.fail(where, "there are ${counts.joinToString(" and ")} elements, not as many each")
+        if (counts.size >
+            1
+        ) {
+            document.fail(where, "there are ${counts.joinToString(" and ")} elements, not as many each")
+        }
         val count = counts.firstOrNull() ?: return listOf(placed)
         if (placed.node.skin != null) {
             document.count("instances of meshes with a skin are left out", count - 1)
@@ -56,7 +60,7 @@ internal class GltfInstances(private val document: GltfDocument, private val acc
         private val types =
             mapOf(TRANSLATION to ElementType.VEC3, ROTATION to ElementType.VEC4, SCALE to ElementType.VEC3)
 
-        /** Memory for the objects of an instance: its transform, and a surface without its numbers. */
-        private const val INSTANCE_BYTES = 512L
+        /** Memory for the objects of an instance without its surfaces. */
+        private const val INSTANCE_BYTES = 256L
     }
 }

@@ -41,14 +41,13 @@ internal class GltfMeshes(
         return shown.flatMap { instance -> own.map { withTangents(poses.posed(it, mesh, instance)) } }
     }
 
-    /** Counts [more] copies of the triangles or lines of [surface]; [GltfPoses] counts the vertices. */
+    /** Counts [more] copies of [surface] with its triangles or lines; [GltfPoses] counts the vertices. */
     private fun repeated(surface: Surface, more: Long) {
+        if (more <= 0) return
         val source = document.source
-        when {
-            more <= 0 -> return
-            surface is Mesh -> source.loading.triangles(source, more * surface.triangleCount)
-            surface is Lines -> source.loading.segments(source, more * surface.segmentCount)
-        }
+        source.loading.decode(source, more * SURFACE_BYTES)
+        if (surface is Mesh) source.loading.triangles(source, more * surface.triangleCount)
+        if (surface is Lines) source.loading.segments(source, more * surface.segmentCount)
     }
 
     private fun primitive(primitive: MeshPrimitive, vertices: GltfVertices, where: String): Surface? {
@@ -139,5 +138,10 @@ internal class GltfMeshes(
         val triangles = if (mode == GltfTriangles.TRIANGLES) indices.size / 3 else maxOf(indices.size - 2, 0)
         document.source.loading.triangles(document.source, triangles.toLong())
         return GltfTriangles.of(mode, indices)
+    }
+
+    private companion object {
+        /** Memory for the objects of a surface without its numbers. */
+        const val SURFACE_BYTES = 512L
     }
 }

@@ -126,7 +126,8 @@ class GltfMaterialsTest {
 
     @Test
     fun specularGlossinessIsConverted() {
-        val (matt, source) = glossy(""""diffuseFactor":[0.48,0.24,0,0.5],"specularFactor":[0,0,0],"glossinessFactor":0.25""")
+        val factors = """"specularFactor":[0,0,0],"glossinessFactor":0.25"""
+        val (matt, source) = glossy(""""diffuseFactor":[0.48,0.24,0,0.5],$factors""")
         assertEquals(listOf(0.5f, 0.25f, 0f, 0.5f), matt.baseColor.run { listOf(red, green, blue, alpha) })
         assertEquals(MetallicRoughness(0f, 0.75f), matt.metallicRoughness)
         assertEquals(emptyList<String>(), source.warnings)
