@@ -19,7 +19,8 @@ public enum class ReferencePolicy {
  * names the limit. The defaults suit files from untrusted sources; raise them for larger models. Immutable.
  *
  * @property decodedBytes maximum total bytes of decoded data, including the memory that decoding takes: 12 for a
- *   triangle, 32 for a vertex, 12 for a texel. By default the result of [defaultDecodedBytes]
+ *   triangle, 32 for a vertex, 6 for a texel, and 6 more for each texel of the largest texture. By default the result
+ *   of [defaultDecodedBytes]
  * @property triangles maximum total number of triangles; a line segment counts as one
  * @property vertices maximum total number of vertices, including points
  * @property texels maximum total number of texture pixels

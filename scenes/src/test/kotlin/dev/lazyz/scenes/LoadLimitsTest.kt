@@ -58,6 +58,25 @@ class LoadLimitsTest {
         assertTrue("more than 9999 pixels of textures: 10000" in message && "--max-texels" in message, message)
     }
 
+    /** Of each texture the texels and mip levels are kept. */
+    @Test
+    fun memoryForDecodingIsCountedForTheLargestTextureOnly() {
+        val names = listOf("a.png", "b.png", "c.png", "d.png")
+        for (name in names) {
+            val side = if (name == "b.png") 100 else 50
+            Files.write(
+                folder.resolve(name),
+                PngFile.of(side, side, 8, PngFile.GREY, List(side) { ByteArray(side) }),
+            )
+        }
+        val path = obj(*names.toTypedArray())
+        val need = 6L * (100 * 100 + 3 * 50 * 50) + 6L * 100 * 100
+        val message = message(path, LoadLimits(decodedBytes = need))
+        assertTrue("more than $need bytes of decoded data" in message, message)
+        val mesh = 2000
+        assertTrue(Scenes.load(path, LoadLimits(decodedBytes = need + mesh)).warnings.isEmpty())
+    }
+
     @Test
     fun oneFileUnderSeveralNamesIsOneTexture() {
         Files.createDirectory(folder.resolve("sub"))

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.scenes.images.PngFile
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Files
@@ -39,6 +40,25 @@ class LoadingMemoryTest {
         val results = listOf(20, 32, 40, 48, 56, 90).map { LoadInChild.run(path, Files.size(path) * it / 10) }
         assertTrue(results.all { it == "loaded" || "raise -Xmx" in it }, "$results")
         assertEquals(listOf(false, true), listOf(results.first(), results.last()).map { it == "loaded" })
+    }
+
+    /** The memory for decoding is that of one texture. */
+    @Test
+    fun severalLargeTexturesFitOrAreRefused() {
+        val side = 1024
+        val names = List(5) { "$it.png" }
+        for (name in names) {
+            val rows = List(side) { ByteArray(3 * side) }
+            Files.write(folder.resolve(name), PngFile.of(side, side, 8, PngFile.RGB, rows))
+        }
+        val materials = names.joinToString("\n") { "newmtl $it\nmap_Kd $it" }
+        Files.writeString(folder.resolve("a.mtl"), materials)
+        val faces = names.joinToString("\n") { "usemtl $it\nf 1/1 2/1 3/1" }
+        val path = folder.resolve("a.obj")
+        Files.writeString(path, "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n$faces\n")
+        assertEquals("loaded", LoadInChild.run(path, 96L shl 20, decodedBytes = null))
+        val refused = LoadInChild.run(path, 64L shl 20, decodedBytes = null)
+        assertTrue("bytes of decoded data" in refused && "-Xmx" in refused, refused)
     }
 
     /** A mesh of triangles whose corners are where their [number]s say, in the plane of x and y. */
@@ -88,14 +108,16 @@ internal object LoadInChild {
     @JvmStatic
     fun main(args: Array<String>) {
         try {
-            Scenes.load(Path.of(args[0]), LoadLimits(decodedBytes = Long.MAX_VALUE))
+            Scenes.load(Path.of(args[0]), LoadLimits(decodedBytes = args[1].toLongOrNull()))
             println("loaded")
         } catch (e: SceneFormatException) {
             println(e.message)
         }
     }
 
-    /** Returns what [main] says in a heap of so many [bytes]. */
-    fun run(path: Path, bytes: Long): String =
-        ChildJava.run(LoadInChild::class.java, listOf("-Xmx${bytes shr 10}k", "-XX:+UseG1GC"), "$path")
+    /** Returns what [main] says in a heap of so many [bytes], with a limit for decoded data. */
+    fun run(path: Path, bytes: Long, decodedBytes: Long? = Long.MAX_VALUE): String {
+        val flags = listOf("-Xmx${bytes shr 10}k", "-XX:+UseG1GC")
+        return ChildJava.run(LoadInChild::class.java, flags, "$path", "$decodedBytes")
+    }
 }

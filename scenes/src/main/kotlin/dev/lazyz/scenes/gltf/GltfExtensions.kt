@@ -2,7 +2,10 @@ package dev.lazyz.scenes.gltf
 
 import dev.lazyz.scenes.gltf.document.GltfCompressedViews
 import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.document.SpecularGlossiness
+import dev.lazyz.scenes.gltf.geometry.GltfInstances
 import dev.lazyz.scenes.gltf.geometry.GltfVertices
+import dev.lazyz.scenes.gltf.geometry.RelativeToCenter
 import dev.lazyz.scenes.gltf.materials.GltfTextures
 
 /** The supported extensions (section 3.12). */
@@ -17,6 +20,9 @@ internal object GltfExtensions {
         "KHR_mesh_quantization",
         GltfVertices.DRACO,
         LIGHTS,
+        SpecularGlossiness.NAME,
+        GltfInstances.NAME,
+        RelativeToCenter.NAME,
     ) + GltfCompressedViews.NAMES + GltfTextures.formats.keys
 
     private const val MOST_SHOWN = 20

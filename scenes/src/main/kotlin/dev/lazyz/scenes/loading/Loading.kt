@@ -67,6 +67,7 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     fun texels(source: Source, count: Long) {
         used = used.copy(texels = used.texels + count)
         check(source, used.texels, limits.texels, "pixels of textures", "texels", "--max-texels", MORE_MEMORY)
+        used = used.copy(decoding = maxOf(used.decoding, count * DECODING_BYTES))
         decode(source, count * TEXEL_BYTES)
     }
 
@@ -74,7 +75,8 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     fun decode(source: Source, bytes: Long) {
         used = used.copy(decoded = used.decoded + bytes)
         val most = limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(read, limits.usableMemory)
-        check(source, used.decoded, most, "bytes of decoded data", "decodedBytes", "--max-decoded", MORE_MEMORY)
+        val memory = used.decoded + used.decoding
+        check(source, memory, most, "bytes of decoded data", "decodedBytes", "--max-decoded", MORE_MEMORY)
         if (Thread.currentThread().isInterrupted) source.fail(null, "is not read further: the thread is interrupted")
         val time = limits.time ?: return
         if (System.nanoTime() - start >= time.toNanos()) {
@@ -128,15 +130,23 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         private const val TRIANGLE_BYTES = 12L
         private const val VERTEX_BYTES = 32L
 
-        /** During decoding: the decoder's image and a copy. */
-        private const val TEXEL_BYTES = 12L
+        /** A texel and its part of the mip levels. */
+        private const val TEXEL_BYTES = 6L
+
+        /** The decoder's image, of which there is only one at a time. */
+        private const val DECODING_BYTES = 6L
     }
 }
 
-/** Amounts that count towards the limits of [LoadLimits]. Immutable. */
+/**
+ * Amounts that count towards the limits of [LoadLimits]. Immutable.
+ *
+ * @property decoding bytes that are needed only while the largest texture is decoded
+ */
 internal data class UsedAmounts(
     val decoded: Long = 0,
     val triangles: Long = 0,
     val vertices: Long = 0,
     val texels: Long = 0,
+    val decoding: Long = 0,
 )

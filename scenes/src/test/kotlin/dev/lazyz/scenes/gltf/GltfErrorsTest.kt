@@ -52,7 +52,8 @@ class GltfErrorsTest {
         assertFails("{\n \"asset\": ]", "line 2, column 11", "no JSON")
         assertFails("{]", "line 1, column 2", "expected '}'; correct it")
         assertFails("""{"asset":{"version":"0.8"}}""", "asset.version", "\"0.8\"", "export the model as glTF 2.0")
-        assertFails("{}", "asset.version", "\"\"")
+        assertFails("{}", "asset.version", "it is missing", "export the model as glTF 2.0")
+        assertFails("""{"asset":{}}""", "asset.version", "it is missing")
         val start = "{\"asset\":{\"version\":\"2.0\"},\"extras\":" + "[".repeat(100_000)
         assertFails(start, null, "nested more than 64 deep", "--max-nesting")
         assertFails(start + "]".repeat(100_000) + "}", null, "nested more than 64 deep")
@@ -63,16 +64,40 @@ class GltfErrorsTest {
         assertFails(changed("\"POSITION\":0", "\"POSITION\":\"x\""), "$PRIMITIVE.attributes.POSITION")
         assertFails(changed("\"count\":3", "\"count\":\"many\""), "accessors[0].count")
         assertFails(changed("\"count\":3", "\"count\":99999999999"), "accessors[0].count")
-        assertFails(changed("\"scene\":0", "\"scene\":{}"), "scene")
+        assertFails(changed("\"scene\":0", "\"scene\":{}"), "scene", "a whole number is expected, not an object")
+
+        // The whole message, in which nothing of a library is left
+        fun message(text: String) = TestSources.error(GltfParser, TestSources.of(text)).message
+        fun node(more: String) = message(changed("\"mesh\":0", "\"mesh\":0,$more"))
+        val start = "test, nodes[0]."
+        val end = " is expected, not "
+        val advice = "; correct it or export the model again"
+        assertEquals("${start}scale[1]: a number${end}text$advice", node("\"scale\":[1,\"2\",1]"))
+        assertEquals("${start}name: text${end}a list$advice", node("\"name\":[]"))
+        assertEquals("${start}children[0]: a whole number${end}an object$advice", node("\"children\":{}"))
+        assertEquals("${start}extensions: an object${end}a list$advice", node("\"extensions\":[]"))
+        assertEquals("${start}extensions: an object${end}7$advice", node("\"extensions\":7"))
     }
 
     @Test
     fun valuesThatAreOnlyNotAllowedArePassedOver() {
-        val source = TestSources.of(files().json(mesh + ""","materials":[],"cameras":[{"type":"odd"}]"""))
+        val cameras = """"cameras":[{"type":"odd"},{"type":"even"},{"type":"odd"}]"""
+        val source = TestSources.of(files().json("$mesh,$cameras"))
         assertEquals(1, GltfParser.parse(source).surfaces.size)
-        assertTrue(source.warnings.any { "materials" in it }, source.warnings.toString())
-        assertTrue(source.warnings.any { "cameras.type" in it }, source.warnings.toString())
+        val expected = "test: cameras.type is passed over: 3 " +
+            "(Invalid value for type: odd, valid: [perspective, orthographic])"
+        assertEquals(listOf(expected), source.warnings)
         assertFails(changed("\"count\":3", "\"count\":0"), "accessors[0].count", "missing or not allowed")
+    }
+
+    @Test
+    fun emptyListsMissNothing() {
+        val empty = files().json(
+            mesh.replace("\"mesh\":0", "\"mesh\":0,\"children\":[]") + ""","materials":[],"cameras":[]""",
+        )
+        val source = TestSources.of(empty)
+        assertEquals(1, GltfParser.parse(source).surfaces.size)
+        assertEquals(emptyList<String>(), source.warnings)
     }
 
     @Test
@@ -188,10 +213,12 @@ class GltfErrorsTest {
     fun numbersOfElementsAreWholeNumbers() {
         for (wrong in listOf("0.5", "\"0\"", "\"\"", "true", "1e30")) {
             val text = changed("\"mesh\":0", "\"mesh\":$wrong")
-            assertFails(text, "nodes[0].mesh", "the type of the value is not allowed")
+            assertFails(text, "nodes[0].mesh", "a whole number is expected, not ")
         }
-        assertFails(changed("\"mesh\":0", "\"mesh\":0,\"matrix\":\"1\""), "nodes[0].matrix", "not allowed here")
-        assertFails(changed("\"nodes\":[0]", "\"nodes\":[0.5]"), "scenes[0].nodes[0]", "0.5 is not a whole number")
+        val matrix = changed("\"mesh\":0", "\"mesh\":0,\"matrix\":\"1\"")
+        assertFails(matrix, "nodes[0].matrix", "a list is expected, not text")
+        val nodes = changed("\"nodes\":[0]", "\"nodes\":[0.5]")
+        assertFails(nodes, "scenes[0].nodes[0]", "a whole number is expected, not 0.5")
         assertFails(changed("\"POSITION\":0", "\"POSITION\":0.5"), "$PRIMITIVE.attributes.POSITION")
         val whole = changed("\"mesh\":0", "\"mesh\":0.0").toByteArray()
         assertEquals(1, GltfParser.parse(TestSources.of(whole)).surfaces.size)

@@ -18,7 +18,7 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
     private val buffers = HashMap<Int, ByteBuffer>()
     private val compressed = GltfCompressedViews(this)
     private val warned = HashSet<String>()
-    private val counts = LinkedHashMap<String, Int>()
+    private val counted = CountedWarnings(source)
 
     /**
      * Returns `list[index]`, or fails if it does not exist. [where] is the place that refers to it, and [name] the name
@@ -110,12 +110,10 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
     }
 
     /** Adds [more] to the count of [sentence]. [warnOfCounts] reports the totals. */
-    fun count(sentence: String, more: Int = 1) {
-        if (more > 0) counts.merge(sentence, more, Int::plus)
-    }
+    fun count(sentence: String, more: Int = 1): Unit = counted.count(sentence, more)
 
     /** Reports one warning for each sentence that was counted. */
-    fun warnOfCounts() = counts.forEach { (sentence, count) -> warn("$sentence: $count") }
+    fun warnOfCounts(): Unit = counted.report()
 
     fun fail(where: String, problem: String): Nothing = source.fail(where, problem, "export the model again")
 

@@ -26,8 +26,8 @@ import java.io.IOException
  * Reads the JSON of a glTF file into jgltf's classes.
  *
  * A value of the wrong type is an error. A value of the right type that the specification does not allow, such as a
- * factor above 1 or an empty list, is ignored with a warning, because many files contain such values. Unknown
- * properties are allowed.
+ * negative count, is ignored with a warning, because many files contain such values; factors outside their range are
+ * clamped ([FactorRanges]). Unknown properties are allowed.
  */
 internal object GltfJson {
     /** Created once, because it analyses jgltf's classes and caches the results. */
@@ -50,12 +50,12 @@ internal object GltfJson {
         override fun deserialize(parser: JsonParser, context: DeserializationContext): Int {
             val number = if (parser.currentToken().isNumeric) parser.doubleValue else Double.NaN
             if (number.toInt().toDouble() == number) return number.toInt()
-            return context.reportInputMismatch(this, "%s is not a whole number", parser.text)
+            return context.reportInputMismatch(this, "no whole number")
         }
     }
 
-    /** The source that the current thread is reading. */
-    private val reading = ThreadLocal<Source>()
+    /** The warnings about the file that the current thread is reading. */
+    private val reading = ThreadLocal<CountedWarnings>()
 
     /** The versions that do not ask for more than 2.0. */
     private val SUPPORTED = Regex("[01]\\.[0-9]+|2\\.0+")
@@ -75,6 +75,7 @@ internal object GltfJson {
         val found = tree(source, start, length)
         val tree = if (Version1Json.isVersion1(found)) version2(source, found, container) else found
         val version = tree.path("asset").path("version").asText("")
+        if (version.isEmpty()) source.fail("asset.version", "it is missing", "export the model as glTF 2.0")
         if (!version.startsWith("2.")) {
             source.fail("asset.version", "the version is \"$version\", not 2.0", "export the model as glTF 2.0")
         }
@@ -83,11 +84,14 @@ internal object GltfJson {
             val problem = "the file needs glTF \"$least\", and 2.0 is supported"
             source.fail("asset.minVersion", problem, "export the model as glTF 2.0")
         }
+        val warnings = CountedWarnings(source)
+        SpecularGlossiness.convert(tree, warnings)
+        FactorRanges.clamp(tree, warnings)
         try {
-            reading.set(source)
-            return mapper.treeToValue(tree, GlTF::class.java)
+            reading.set(warnings)
+            return mapper.treeToValue(tree, GlTF::class.java).also { warnings.report() }
         } catch (e: JsonMappingException) {
-            source.fail(place(e), "the type of the value is not allowed here: ${brief(e.originalMessage)}", REMEDY, e)
+            source.fail(place(e), WrongTypes.problem(e, tree), REMEDY, e)
         } catch (e: IOException) {
             source.fail(null, "the JSON is not glTF: ${brief(e.message)}", REMEDY, e)
         } finally {
@@ -149,11 +153,15 @@ internal object GltfJson {
      * Handles an error that jgltf reports: an unknown property, a value that a setter rejects, or a value of the wrong
      * type.
      */
-    private fun report(source: Source, error: JsonError) {
+    private fun report(warnings: CountedWarnings, error: JsonError) {
         val cause = error.throwable ?: return
         if (cause.cause !is IllegalArgumentException) throw cause
+        val problem = cause.cause?.message.orEmpty()
+
+        // Nothing is missing where a list is empty
+        if (problem.endsWith("elements is < 1")) return
         val place = error.jsonPath.filter { it.isNotEmpty() }.joinToString(".")
-        source.warn("$place is passed over: ${brief(cause.cause?.message)}")
+        warnings.count("$place is passed over", example = brief(problem))
     }
 
     /** Returns the path to the value, for example `meshes[0].primitives[1].mode`. */

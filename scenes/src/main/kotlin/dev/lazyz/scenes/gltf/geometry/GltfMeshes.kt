@@ -20,9 +20,10 @@ internal class GltfMeshes(
     private val poses: GltfPoses,
 ) {
     private val materials = GltfMaterials(document)
+    private val instances = GltfInstances(document, accessors)
     private val meshes = HashMap<Int, List<GltfPart>>()
 
-    /** Returns the surfaces of a node, in world space. */
+    /** Returns the surfaces of a node, in world space: those of its mesh, once for each instance. */
     fun of(placed: PlacedNode): List<Surface> {
         val index = placed.node.mesh ?: return emptyList()
         val mesh = document.element(document.json.meshes, index, "meshes", "nodes[${placed.index}].mesh")
@@ -35,7 +36,18 @@ internal class GltfMeshes(
                 primitive(primitive, vertices, where)?.let { GltfPart(it, primitive, vertices, where) }
             }
         }
-        return own.map { withTangents(poses.posed(it, mesh, placed)) }
+        val shown = instances.of(placed)
+        for (part in own) repeated(part.surface, shown.size - 1L)
+        return shown.flatMap { instance -> own.map { withTangents(poses.posed(it, mesh, instance)) } }
+    }
+
+    /** Counts [more] copies of [surface] with its triangles or lines; [GltfPoses] counts the vertices. */
+    private fun repeated(surface: Surface, more: Long) {
+        if (more <= 0) return
+        val source = document.source
+        source.loading.decode(source, more * SURFACE_BYTES)
+        if (surface is Mesh) source.loading.triangles(source, more * surface.triangleCount)
+        if (surface is Lines) source.loading.segments(source, more * surface.segmentCount)
     }
 
     private fun primitive(primitive: MeshPrimitive, vertices: GltfVertices, where: String): Surface? {
@@ -126,5 +138,10 @@ internal class GltfMeshes(
         val triangles = if (mode == GltfTriangles.TRIANGLES) indices.size / 3 else maxOf(indices.size - 2, 0)
         document.source.loading.triangles(document.source, triangles.toLong())
         return GltfTriangles.of(mode, indices)
+    }
+
+    private companion object {
+        /** Memory for the objects of a surface without its numbers. */
+        const val SURFACE_BYTES = 512L
     }
 }

@@ -19,6 +19,7 @@ internal class PlacedNode(val node: Node, val index: Int, val toWorld: Matrix4dc
 /** Walks the nodes of the default scene (section 3.5). */
 internal class GltfNodes(private val document: GltfDocument, private val poses: Map<Int, NodePose>) {
     private val nodes: List<Node?> = document.json.nodes.orEmpty()
+    private val rootToWorld = RelativeToCenter.toWorld(document)
     private val toWorld = HashMap<Int, Matrix4d>()
     private val parents: Map<Int, Int> by lazy {
         nodes.withIndex().flatMap { (i, node) -> children(node).filterNotNull().map { it to i } }.toMap()
@@ -34,8 +35,7 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
 
         // An explicit stack, because a chain of nodes may be deeper than the call stack allows
         val pending = ArrayDeque<Pending>()
-        val identity = Matrix4d()
-        for ((index, where) in roots().asReversed()) pending.addLast(Pending(index, where, identity))
+        for ((index, where) in roots().asReversed()) pending.addLast(Pending(index, where, rootToWorld))
         val seen = HashSet<Int>()
         val placed = ArrayList<PlacedNode>()
         while (pending.isNotEmpty()) {
@@ -67,7 +67,8 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
         }
         for (node in unknown.reversed()) {
             val toParent = NodeTransforms.of(checkNotNull(nodes[node]), poses[node])
-            toWorld[node] = parents[node]?.let { Transforms.product(toWorld.getValue(it), toParent) } ?: toParent
+            val parent = parents[node]?.let { toWorld.getValue(it) } ?: rootToWorld
+            toWorld[node] = Transforms.product(parent, toParent)
         }
         return toWorld.getValue(index)
     }

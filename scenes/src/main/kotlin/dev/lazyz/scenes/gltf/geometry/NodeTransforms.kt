@@ -25,9 +25,18 @@ internal object NodeTransforms {
                 m[12].toDouble(), m[13].toDouble(), m[14].toDouble(), 1.0,
             )
         }
-        val t = pose?.translation ?: doubles(node.translation) ?: doubleArrayOf(0.0, 0.0, 0.0)
-        val (sx, sy, sz) = pose?.scale ?: doubles(node.scale) ?: doubleArrayOf(1.0, 1.0, 1.0)
-        val (x, y, z, w) = pose?.rotation ?: doubles(node.rotation) ?: doubleArrayOf(0.0, 0.0, 0.0, 1.0)
+        return of(
+            pose?.translation ?: doubles(node.translation),
+            pose?.rotation ?: doubles(node.rotation),
+            pose?.scale ?: doubles(node.scale),
+        )
+    }
+
+    /** Returns the product of a translation, a rotation as a unit quaternion, and a scale; null means none. */
+    fun of(translation: DoubleArray?, rotation: DoubleArray?, scale: DoubleArray?): Matrix4d {
+        val t = translation ?: doubleArrayOf(0.0, 0.0, 0.0)
+        val (sx, sy, sz) = scale ?: doubleArrayOf(1.0, 1.0, 1.0)
+        val (x, y, z, w) = rotation ?: doubleArrayOf(0.0, 0.0, 0.0, 1.0)
 
         // The columns of the quaternion's matrix, each multiplied by its scale
         return Matrix4d(

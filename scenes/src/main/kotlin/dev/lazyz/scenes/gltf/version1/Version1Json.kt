@@ -43,6 +43,7 @@ internal class Version1Json private constructor(
         extraNodes.forEach { list("nodes").add(it) }
         copies("scenes") { where, scene -> refer(scene, "nodes", "nodes", where) }
         old["scene"]?.let { new.put("scene", index(it, "scenes", "scene")) }
+        old.path("extensions")[RTC]?.let { new.putObject("extensions").set<JsonNode>(RTC, it) }
         return new
     }
 
@@ -129,6 +130,9 @@ internal class Version1Json private constructor(
     companion object {
         /** The name of the buffer that holds the data of a binary file. */
         private const val BINARY = "binary_glTF"
+
+        /** The extension that moves the whole model. */
+        private const val RTC = "CESIUM_RTC"
 
         private val unnumbered = setOf("COLOR", "TEXCOORD")
 

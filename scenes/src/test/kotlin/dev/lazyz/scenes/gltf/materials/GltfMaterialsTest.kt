@@ -105,6 +105,54 @@ class GltfMaterialsTest {
         assertEquals(Rgba(4f, 2f, 0f), strong.emission)
     }
 
+    @Test
+    fun factorsOutsideTheirRangeAreClamped() {
+        val base = """"baseColorFactor":[1.00000012,0.5,-0.0001,1],"roughnessFactor":-0.00001"""
+        val (nearly, source) = read("""{"pbrMetallicRoughness":{$base},"emissiveFactor":[0,0.5,1.0005]}""")
+        assertEquals(Rgba(1f, 0.5f, 0f), nearly.baseColor)
+        assertEquals(0f, nearly.metallicRoughness?.roughness)
+        assertEquals(Rgba(0f, 0.5f, 1f), nearly.emission)
+        assertEquals(emptyList<String>(), source.warnings)
+        val (far, warned) = read("""{"pbrMetallicRoughness":{"metallicFactor":2},"emissiveFactor":[0.5,3,7]}""")
+        assertEquals(1f, far.metallicRoughness?.metallic)
+        assertEquals(Rgba(0.5f, 1f, 1f), far.emission)
+        val expected = listOf("pbrMetallicRoughness.metallicFactor", "emissiveFactor")
+            .map { "test: materials.$it is outside 0..1 and is clamped: 1" }
+        assertEquals(expected, warned.warnings)
+    }
+
+    private fun glossy(json: String, more: String = "") =
+        read("""{"extensions":{"KHR_materials_pbrSpecularGlossiness":{$json}}$more}""", image)
+
+    @Test
+    fun specularGlossinessIsConverted() {
+        val factors = """"specularFactor":[0,0,0],"glossinessFactor":0.25"""
+        val (matt, source) = glossy(""""diffuseFactor":[0.48,0.24,0,0.5],$factors""")
+        assertEquals(listOf(0.5f, 0.25f, 0f, 0.5f), matt.baseColor.run { listOf(red, green, blue, alpha) })
+        assertEquals(MetallicRoughness(0f, 0.75f), matt.metallicRoughness)
+        assertEquals(emptyList<String>(), source.warnings)
+        val gold = glossy(""""diffuseFactor":[0,0,0,1],"specularFactor":[1,0.75,0.25],"glossinessFactor":0.75""").first
+        assertEquals(Rgba(1f, 0.75f, 0.25f), gold.baseColor)
+        assertEquals(MetallicRoughness(1f, 0.25f), gold.metallicRoughness)
+        assertEquals(MetallicRoughness(1f, 0f), glossy("").first.metallicRoughness)
+    }
+
+    @Test
+    fun diffuseTexturesAreOfBaseColour() {
+        val diffuse = """"diffuseFactor":[0.5,0.25,0,1],"diffuseTexture":{"index":0}"""
+        val (material, source) = glossy("$diffuse,\"specularGlossinessTexture\":{\"index\":0}")
+        assertEquals(Rgba(0.5f, 0.25f, 0f), material.baseColor)
+        assertNotNull(material.textureMap)
+        assertEquals(MetallicRoughness(0f, 0.5f), material.metallicRoughness)
+        val warning = "test: textures of specular colour and glossiness are passed over: 1"
+        assertEquals(listOf(warning), source.warnings)
+        val metallic = ""","pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}}"""
+        val own = glossy("\"specularGlossinessTexture\":{\"index\":0}", metallic)
+        assertNotNull(own.first.metallicRoughness?.map)
+        assertEquals(emptyList<String>(), own.second.warnings)
+        assertNull(glossy(diffuse, metallic).first.metallicRoughness?.map)
+    }
+
     private val image = ""","textures":[{"source":0}],"images":[{"bufferView":2}]"""
 
     @Test

@@ -56,6 +56,14 @@ class Version1Test {
         return out.array()
     }
 
+    @Test
+    fun theWholeModelIsRelativeToItsCenter() {
+        val moved = json().replaceFirst("{", """{"extensions":{"CESIUM_RTC":{"center":[0,100,0]}},""")
+        val bounds = checkNotNull(GltfParser.parse(TestSources.of(moved)).meshes[0].bounds)
+        assertEquals(listOf(10.0, 100.0, 1.0), listOf(bounds.minX, bounds.minY, bounds.minZ))
+        assertEquals(listOf(11.0, 101.0, 1.0), listOf(bounds.maxX, bounds.maxY, bounds.maxZ))
+    }
+
     private val expected = listOf(10f, 0f, 1f, 11f, 0f, 1f, 10f, 1f, 1f)
 
     @Test

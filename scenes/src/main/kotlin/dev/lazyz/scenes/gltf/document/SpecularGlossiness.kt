@@ -1,0 +1,80 @@
+package dev.lazyz.scenes.gltf.document
+
+import com.fasterxml.jackson.databind.JsonNode
+import com.fasterxml.jackson.databind.node.JsonNodeFactory
+import com.fasterxml.jackson.databind.node.ObjectNode
+
+/**
+ * Converts materials of `KHR_materials_pbrSpecularGlossiness` to metallic-roughness materials, in the JSON.
+ *
+ * Without textures, the conversion is that of the Khronos Group (examples of the extension, "Convert between
+ * workflows"): a material whose specular colour is brighter than that of dielectrics becomes partly or fully metallic.
+ * A material with textures is taken as a dielectric with the diffuse colour as base colour, because the conversion
+ * would need both colours at each texel.
+ *
+ * The texture of specular colour and glossiness is ignored with a warning, and counts as half glossy. If a material has
+ * one, and also the metallic-roughness texture, the metallic-roughness values of the file are used.
+ */
+internal object SpecularGlossiness {
+    const val NAME: String = "KHR_materials_pbrSpecularGlossiness"
+
+    private const val METALLIC_ROUGHNESS = "pbrMetallicRoughness"
+    private const val TEXTURE = "specularGlossinessTexture"
+    private const val DIELECTRIC = 0.04
+    private const val EPSILON = 1e-6
+
+    /** Converts the materials in [tree], the JSON of a file. */
+    fun convert(tree: JsonNode, warnings: CountedWarnings) {
+        for (material in tree.path("materials")) {
+            val old = material.path("extensions").path(NAME)
+            if (material !is ObjectNode || old !is ObjectNode) continue
+            val isTextured = old.has(TEXTURE)
+            if (isTextured && material.path(METALLIC_ROUGHNESS).has("metallicRoughnessTexture")) continue
+            if (isTextured) warnings.count("textures of specular colour and glossiness are passed over")
+            material.set<JsonNode>(METALLIC_ROUGHNESS, converted(old))
+        }
+    }
+
+    private fun converted(old: ObjectNode): ObjectNode {
+        val new = JsonNodeFactory.instance.objectNode()
+        val diffuse = fractions(old.path("diffuseFactor"), 4)
+        val glossiness = fraction(old.path("glossinessFactor")) * (if (old.has(TEXTURE)) 0.5 else 1.0)
+        new.put("roughnessFactor", 1.0 - glossiness)
+        old["diffuseTexture"]?.let { new.set<JsonNode>("baseColorTexture", it.deepCopy()) }
+        val isDielectric = old.has(TEXTURE) || old.has("diffuseTexture")
+        val specular = if (isDielectric) DoubleArray(3) else fractions(old.path("specularFactor"), 3)
+        val metallic = if (isDielectric) 0.0 else metallic(diffuse, specular)
+        new.put("metallicFactor", metallic)
+        val base = new.putArray("baseColorFactor")
+        for (i in 0 until 3) base.add(if (isDielectric) diffuse[i] else base(diffuse[i], specular, i, metallic))
+        base.add(diffuse[3])
+        return new
+    }
+
+    /** Returns the root in 0..1 of the equation that both models reflect the same. */
+    private fun metallic(diffuse: DoubleArray, specular: DoubleArray): Double {
+        val reflected = brightness(specular)
+        if (reflected < DIELECTRIC) return 0.0
+        val a = DIELECTRIC
+        val b = brightness(diffuse) * (1.0 - specular.max()) / (1.0 - DIELECTRIC) + reflected - 2.0 * DIELECTRIC
+        val c = DIELECTRIC - reflected
+        return ((StrictMath.sqrt(b * b - 4.0 * a * c) - b) / (2.0 * a)).coerceIn(0.0, 1.0)
+    }
+
+    private fun base(diffuse: Double, specular: DoubleArray, i: Int, metallic: Double): Double {
+        val strength = (1.0 - specular.max()) / (1.0 - DIELECTRIC)
+        val ofDiffuse = diffuse * strength / maxOf(1.0 - metallic, EPSILON)
+        val ofSpecular = (specular[i] - DIELECTRIC * (1.0 - metallic)) / maxOf(metallic, EPSILON)
+        val weight = metallic * metallic
+        return (ofDiffuse * (1.0 - weight) + ofSpecular * weight).coerceIn(0.0, 1.0)
+    }
+
+    private fun brightness(color: DoubleArray): Double {
+        val (red, green, blue) = color
+        return StrictMath.sqrt(0.299 * red * red + 0.587 * green * green + 0.114 * blue * blue)
+    }
+
+    private fun fractions(json: JsonNode, size: Int) = DoubleArray(size) { fraction(json.path(it)) }
+
+    private fun fraction(json: JsonNode): Double = json.asDouble(1.0).coerceIn(0.0, 1.0)
+}
