@@ -107,7 +107,7 @@ class StatisticsTest {
 
     @Test
     fun namesAreEscaped() {
-        val odd = folder.wedge("a\"b\\é\u007f\u0007\n.obj")
+        val odd = folder.wedge("a\"b\\é😀\u007f\u0007\n.obj")
         val json = zcli("render", odd, "-o", out, "--size", "40x30", "--stats=json").text
         assertEquals("$odd", Json.parseToJsonElement(json).jsonObject.getValue("input").jsonPrimitive.content)
         assertTrue(json.trimEnd().all { it in ' '..'~' }, json)
