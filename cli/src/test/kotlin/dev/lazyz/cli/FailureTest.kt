@@ -106,7 +106,7 @@ class FailureTest {
 
     @Test
     fun aBlankPictureIsDoneWithAWarning() {
-        val empty = folder.resolve("empty.obj").apply { writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\n") }
+        val empty = folder.emptyModel()
         val run = zcli("render", empty, "-o", folder.resolve("x.png"), "--size", "40x30")
         assertEquals(0, run.code)
         assertTrue("zcli: warning: nothing is visible" in run.errors, run.errors)

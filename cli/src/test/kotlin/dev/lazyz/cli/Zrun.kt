@@ -71,3 +71,6 @@ f 2 3 4
 """
 
 internal fun Path.wedge(name: String = "wedge.obj"): Path = resolve(name).apply { writeText(WEDGE) }
+
+/** Writes a model in which there is nothing to see. */
+internal fun Path.emptyModel(): Path = resolve("empty.stl").apply { writeText("solid empty\nendsolid empty\n") }

@@ -20,7 +20,7 @@ class PrintableTest {
 
     @Test
     fun messagesAndWarningsArePrintable() {
-        val text = "mtllib \u001B]0;pwned\u0007.mtl\nv 0 0 0\nusemtl \u001B[31mred\n"
+        val text = "mtllib \u001B]0;pwned\u0007.mtl\nv 0 0 0\nusemtl \u001B[31mred\nf 1 1 1\n"
         val loaded = Scenes.load(text.byteInputStream(), SceneFormat.OBJ)
         assertTrue(loaded.warnings.isNotEmpty())
         for (warning in loaded.warnings) assertFalse(warning.any { it.isISOControl() }, warning)

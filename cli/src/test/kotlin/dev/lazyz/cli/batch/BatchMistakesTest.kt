@@ -85,6 +85,15 @@ class BatchMistakesTest {
     }
 
     @Test
+    fun aFailureWithAnyNameIsALineOfJson() {
+        val broken = folder.resolve("a\uD83D\uDE00.obj").apply { writeText("f 1 2 3\n") }
+        val run = render(broken, folder.wedge("b.obj"), "--stats=json", "-o", "$out/{stem}.png")
+        assertEquals(ExitCode.MISTAKE, run.code, run.errors)
+        assertTrue("a\\ud83d\\ude00.obj" in run.text, run.text)
+        assertTrue(out.resolve("b.png").exists(), run.errors)
+    }
+
+    @Test
     fun noPictureReplacesAnInput() {
         val model = folder.wedge("a.png")
         val texture = folder.resolve("b.png").apply { writeText("texture") }

@@ -4,6 +4,7 @@ import dev.lazyz.cli.BuggyRenderer
 import dev.lazyz.cli.CapableRenderer
 import dev.lazyz.cli.WrongDepthRenderer
 import dev.lazyz.cli.Zrun
+import dev.lazyz.cli.emptyModel
 import dev.lazyz.cli.glass
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.rendererJar
@@ -141,7 +142,7 @@ class CompareSeveralTest {
 
     @Test
     fun nothingVisibleIsTold() {
-        val blank = folder.resolve("blank.obj").apply { writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\n") }
+        val blank = folder.emptyModel()
         val run = compare(blank, "teapot").done()
         assertEquals("ok       $blank: 0 primitives, nothing is visible", run.lines()[0])
         assertTrue(run.text.endsWith("2 pictures, 1 of them blank\n"), run.text)

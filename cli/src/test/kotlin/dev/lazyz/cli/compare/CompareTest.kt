@@ -11,6 +11,7 @@ import dev.lazyz.cli.ShortRenderer
 import dev.lazyz.cli.StutteringRenderer
 import dev.lazyz.cli.WrongDepthRenderer
 import dev.lazyz.cli.Zrun
+import dev.lazyz.cli.emptyModel
 import dev.lazyz.cli.glass
 import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.ExitCode
@@ -28,7 +29,6 @@ import java.io.PrintStream
 import java.nio.file.Path
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
-import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -235,7 +235,7 @@ class CompareTest {
 
     @Test
     fun aBlankPictureIsAWarning() {
-        val empty = folder.resolve("empty.obj").apply { writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\n") }
+        val empty = folder.emptyModel()
         val run = compare(empty)
         assertEquals(ExitCode.DONE, run.code)
         assertTrue("zcli: warning: nothing is visible" in run.errors, run.errors)

@@ -1,6 +1,7 @@
 package dev.lazyz.cli.render
 
 import dev.lazyz.aov.Aov
+import dev.lazyz.cli.emptyModel
 import dev.lazyz.cli.image
 import dev.lazyz.cli.zcli
 import java.nio.ByteBuffer
@@ -101,8 +102,7 @@ class AovOptionsTest {
 
     @Test
     fun backgroundsAreThoseOfThePage() {
-        val empty = file("empty.obj")
-        empty.writeText("v 0 0 0\n")
+        val empty = folder.emptyModel()
         val result = render(empty, "--aov", "depth=${file("d.npy")}", "--aov", "depth=${file("d.png")}")
         assertTrue("nothing is visible" in result.errors) { result.errors }
         assertEquals(setOf(Float.POSITIVE_INFINITY), floats("d.npy").toSet())

@@ -1,13 +1,13 @@
 package dev.lazyz.cli.render
 
 import dev.lazyz.cli.argb
+import dev.lazyz.cli.emptyModel
 import dev.lazyz.cli.image
 import dev.lazyz.cli.statIn
 import dev.lazyz.cli.wedge
 import dev.lazyz.cli.zcli
 import java.nio.file.Path
 import java.security.MessageDigest
-import kotlin.io.path.writeText
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
@@ -73,7 +73,7 @@ class StatisticsTest {
 
     @Test
     fun blank() {
-        val empty = folder.resolve("empty.obj").apply { writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\n") }
+        val empty = folder.emptyModel()
         val run = zcli("render", empty, "-o", out, "--size", "40x30", "--stats=json")
         assertEquals(listOf("true", "0", "0.0"), listOf("blank", "visible", "coverage").map { run.stat(it) })
     }
@@ -107,7 +107,7 @@ class StatisticsTest {
 
     @Test
     fun namesAreEscaped() {
-        val odd = folder.wedge("a\"b\\é\u007f\u0007\n.obj")
+        val odd = folder.wedge("a\"b\\é😀\u007f\u0007\n.obj")
         val json = zcli("render", odd, "-o", out, "--size", "40x30", "--stats=json").text
         assertEquals("$odd", Json.parseToJsonElement(json).jsonObject.getValue("input").jsonPrimitive.content)
         assertTrue(json.trimEnd().all { it in ' '..'~' }, json)

@@ -2,15 +2,12 @@ package dev.lazyz.scenes.formats
 
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.off.OffHeader
+import dev.lazyz.scenes.stl.StlBinary
 import dev.lazyz.scenes.text.TextEncoding
-import java.nio.ByteBuffer
-import java.nio.ByteOrder
 
 /** Detects a file's format from its first bytes, for files whose name does not determine it. */
 internal object FormatSniffer {
     private const val HEAD = 4096
-    private const val STL_HEADER = 84
-    private const val STL_FACET = 50L
 
     private val objLine = Regex("(v|vt|vn|f|o|g|s|mtllib|usemtl)\\s.*")
 
@@ -25,7 +22,8 @@ internal object FormatSniffer {
             head.startsWith("ply\n") || head.startsWith("ply\r") -> SceneFormat.PLY
             head.startsWith("PK\u0003\u0004") -> SceneFormat.THREE_MF
             isOff(head) -> SceneFormat.OFF
-            isBinaryStl(bytes, size) -> SceneFormat.STL
+            // A binary STL file has no signature
+            StlBinary.isWhole(bytes, size) -> SceneFormat.STL
             head.trimStart().startsWith("solid") && "facet" in head -> SceneFormat.STL
             head.trimStart().startsWith('{') -> jsonFormat(head)
             isObj(head) -> SceneFormat.OBJ
@@ -37,14 +35,6 @@ internal object FormatSniffer {
         "\"lazyz\"" in head -> SceneFormat.SCENE
         "\"asset\"" in head || "\"accessors\"" in head || "\"buffers\"" in head -> SceneFormat.GLTF
         else -> null
-    }
-
-    /** A binary STL has no signature, but its length must match its number of facets. */
-    private fun isBinaryStl(bytes: ByteArray, size: Long): Boolean {
-        if (bytes.size < STL_HEADER) return false
-        val facets =
-            ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(STL_HEADER - 4).toLong() and 0xFFFFFFFFL
-        return STL_HEADER + STL_FACET * facets == size
     }
 
     private fun isOff(head: String): Boolean = OffHeader.isKeyword(head.trimStart().takeWhile { !it.isWhitespace() })

@@ -1,10 +1,12 @@
 package dev.lazyz.scenes.images
 
+import dev.lazyz.Rgba
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureEncoding
 
 /**
- * Combines images that files keep apart to one texture. The larger image determines the size; see [at] for the other.
+ * Combines images and colours that files keep apart to one texture. The larger image determines the size; see [at] for
+ * the other.
  */
 internal object ChannelPacking {
     /** Returns a texture with [roughness] as green and [metallic] as blue, and 255 for an image that is null. */
@@ -26,6 +28,15 @@ internal object ChannelPacking {
             val rgb = color?.let { at(it, x, y, larger) and 0xFFFFFF } ?: 0xFFFFFF
             alpha shl 24 or rgb
         }
+    }
+
+    /** Returns [texture] on a ground of [color], mixed in linear light. */
+    fun onColor(texture: Texture, color: Rgba): Texture = packed(texture, TextureEncoding.SRGB) { x, y ->
+        val top = Rgba.ofArgb(texture.texel(x, y))
+        val below = color.alpha * (1f - top.alpha)
+        val alpha = top.alpha + below
+        fun mixed(upper: Float, lower: Float) = if (alpha > 0f) (upper * top.alpha + lower * below) / alpha else 0f
+        Rgba(mixed(top.red, color.red), mixed(top.green, color.green), mixed(top.blue, color.blue), alpha).toArgb()
     }
 
     private fun larger(first: Texture?, second: Texture?): Texture? = when {

@@ -44,7 +44,7 @@ internal class FileReferences(
             allowed != null -> Found(allowed.also { known.add(it) })
             folders.isEmpty() -> Found(null, "cannot be looked up for a stream", "load from a file instead")
             files.isNotEmpty() -> Found(null, "lies outside $root", REMEDY)
-            else -> Found(null, "is missing", "put it into ${folders.last()}")
+            else -> Found(null, "is missing", "put it into ${place(folders.last(), reference)}")
         }
     }
 
@@ -57,8 +57,23 @@ internal class FileReferences(
         }
     }
 
+    /** Returns the folder in which the file of [reference] is searched: [folder], or one in it. */
+    private fun place(folder: Path, reference: String): Path {
+        val name = plain(reference)
+        val parts = name.substringBeforeLast('/', "")
+        if (parts.isEmpty() || isAbsolute(name)) return folder
+        return try {
+            val place = folder.resolve(parts).normalize()
+            if (policy == ReferencePolicy.ANYWHERE || place.startsWith(folder.normalize())) place else folder
+        } catch (_: InvalidPathException) {
+            folder
+        }
+    }
+
+    private fun plain(reference: String): String = reference.trim().removeSurrounding("\"").replace('\\', '/')
+
     private fun resolve(folder: Path, reference: String): Path? {
-        val name = reference.trim().removeSurrounding("\"").replace('\\', '/')
+        val name = plain(reference)
         return try {
             if (isAbsolute(name)) {
                 inside(folder, name) ?: lookUp(folder, name.substringAfterLast('/'))

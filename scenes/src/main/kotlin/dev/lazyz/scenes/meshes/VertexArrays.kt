@@ -1,5 +1,7 @@
 package dev.lazyz.scenes.meshes
 
+import dev.lazyz.scenes.loading.PixelDefaults
+import dev.lazyz.world.surface.Points
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
@@ -22,6 +24,13 @@ internal class VertexArrays(
 ) {
     /** Number of vertices. */
     val count: Int get() = positions.size / 3
+
+    /** Returns the vertices as points; nothing if there are none. */
+    fun points(): List<Points> {
+        if (count == 0) return emptyList()
+        val material = PixelDefaults.material(normals != null, colors != null)
+        return listOf(Points(positions, PixelDefaults.POINT_SIZE, material, normals, colors, origin))
+    }
 
     /** Returns the first [count] vertices. */
     fun first(count: Int): VertexArrays {

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.obj
 import dev.lazyz.scenes.collections.Floats
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.VertexArrays
 import org.joml.Vector3dc
 
 /** The content of an OBJ file, as plain arrays. */
@@ -56,6 +57,10 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) :
         normals.add(y)
         normals.add(z)
     }
+
+    /** Returns all `v`, with their colours. */
+    fun vertices(): VertexArrays =
+        VertexArrays(positions.toArray(), colors = colors(vertexCount) { it }, origin = origin)
 
     /**
      * Returns red, green, blue, alpha of [count] vertices, or null if the file has no colours. [positionOf] returns the

@@ -15,7 +15,8 @@ import dev.lazyz.world.Scene
  * materials, and vertex colours `v x y z red green blue`, which are sRGB-encoded numbers in 0..1. Groups are ignored.
  * Objects and materials divide the file into meshes, see [ObjMeshes]. Faces without normals are smooth up to creases of
  * [CREASE_ANGLE] degrees, or flat after `s off`; other numbers of smoothing groups are ignored. Points and lines follow
- * the meshes, by material. Free-form geometry and unknown statements are ignored with a warning.
+ * the meshes, by material; if there is none of these, all vertices are points. Free-form geometry and unknown
+ * statements are ignored with a warning.
  */
 internal object ObjParser : SceneParser {
     /** The crease angle in degrees: edges that are sharper stay sharp. */
@@ -33,7 +34,7 @@ internal object ObjParser : SceneParser {
         val faces = model.faces
         source.loading.vertices(source, model.positions.size / 3L)
         source.loading.triangles(source, faces.positions.size - 2L * faces.size)
-        if (faces.size == 0 && model.points.isEmpty) source.warn("there are no faces, so there is nothing to see")
+        if (faces.size == 0 && model.points.isEmpty) return Scene(model.vertices().points())
 
         val library = MtlLibrary(source)
         for (reference in model.libraries.distinct()) library.add(reference)

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.off
 import dev.lazyz.scenes.collections.Floats
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.images.SrgbDecoding
+import kotlin.math.abs
 
 /**
  * Colours as stored in the file: integers in 0..255, or fractions in 0..1. A colour such as `1 0 0` can be either. It
@@ -45,6 +46,36 @@ internal class OffColors {
     }
 
     /**
+     * Whether numbers that nothing declares are colours: all are in the range of colours, and they cannot be normals.
+     * Call it only after all colours were added.
+     */
+    fun areEvident(): Boolean {
+        val most = if (haveWhole && !haveFractions) MOST_CODE else 1f
+        for (i in 0 until numbers.size) {
+            val isMissing = i % 4 == 3 && numbers[i] == OPAQUE
+            if (!isMissing && numbers[i] !in 0f..most) return false
+        }
+        return !couldBeNormals()
+    }
+
+    /** Whether the colours have length 1 and no alpha, and either are all the same or do not all lie on the axes. */
+    private fun couldBeNormals(): Boolean {
+        var areSame = true
+        var areOnAxes = true
+        for (color in 0 until size) {
+            var square = 0f
+            for (channel in 0 until 3) {
+                val number = numbers[4 * color + channel]
+                square += number * number
+                if (number != 0f && number != 1f) areOnAxes = false
+                if (number != numbers[channel]) areSame = false
+            }
+            if (abs(square - 1f) > LENGTH_TOLERANCE || numbers[4 * color + 3] != OPAQUE) return false
+        }
+        return areSame || !areOnAxes
+    }
+
+    /**
      * Returns red (0), green (1), blue (2) or alpha (3) of a colour, linear. Call it only after all colours were added.
      */
     fun channel(color: Int, channel: Int): Float {
@@ -64,6 +95,9 @@ internal class OffColors {
         const val SURELY_WHOLE = 1
         const val SURELY_FRACTIONS = 2
         const val MOST_CODE = 255f
+
+        /** Difference of a normal's squared length from 1, because files round their numbers. */
+        const val LENGTH_TOLERANCE = 0.01f
 
         /** Stands for a missing alpha. */
         const val OPAQUE = -1f

@@ -21,6 +21,9 @@ internal class OffHeader private constructor(
     /** Number of numbers for each vertex, without its colour. */
     val plainNumbers: Int get() = 3 + (if (hasNormals) 3 else 0) + (if (hasPlaces) 2 else 0)
 
+    /** Whether vertices have only positions. */
+    val isPlain: Boolean get() = !hasNormals && !hasColors && !hasPlaces
+
     companion object {
         private val keyword = Regex("((?:ST|C|N|4|n)*)(?:OFF|off)(\\d*)")
 

@@ -16,6 +16,7 @@ internal class OffReader(private val source: Source, private val origin: Vector3
     private val header = OffHeader.read(source, line)
 
     private var longRows = 0
+    private var hasUndeclaredColors = false
 
     /** The vertices, after they have been read. */
     lateinit var vertices: VertexArrays
@@ -43,6 +44,11 @@ internal class OffReader(private val source: Source, private val origin: Vector3
             if (!line.next()) cutOff("vertices", vertex, count)
             if (!readVertex(vertices, vertex, colors)) longRows++
         }
+        if (header.isPlain && count > 0 && colors.size == count && colors.areEvident()) {
+            hasUndeclaredColors = true
+            longRows = 0
+            vertices = VertexArrays(vertices.positions, colors = FloatArray(4 * count), origin = origin)
+        }
         vertices.colors?.let { for (i in it.indices) it[i] = colors.channel(i / 4, i % 4) }
     }
 
@@ -64,6 +70,9 @@ internal class OffReader(private val source: Source, private val origin: Vector3
             at += colorCount
         } else if (to.colors != null) {
             colors.addWhite()
+        } else if (header.isPlain && colorCount in 3..4 && colors.size == vertex) {
+            // Numbers that the header does not declare; they can be colours only if all vertices have them
+            colors.add(line, at, colorCount)
         }
         if (to.uvs != null) {
             to.uvs[2 * vertex] = line.numbers[at++].toFloat()
@@ -78,6 +87,9 @@ internal class OffReader(private val source: Source, private val origin: Vector3
 
     /** Reads the faces into [polygons], and reports the numbers that were ignored. */
     fun readFaces() {
+        if (hasUndeclaredColors) {
+            source.warn("vertices have numbers that the header does not declare; they are read as colours")
+        }
         if (longRows > 0) source.warn("$longRows vertices have numbers that do not fit the header and are ignored")
         val colors = OffColors()
 

@@ -2,12 +2,9 @@ package dev.lazyz.scenes.ply
 
 import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.loading.FarOrigin
-import dev.lazyz.scenes.loading.PixelDefaults
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.scenes.meshes.VertexArrays
 import dev.lazyz.world.Scene
-import dev.lazyz.world.surface.Points
 
 /**
  * Reads the Polygon File Format (Greg Turk, "The PLY Polygon File Format", Stanford University, 1994) in its ASCII form
@@ -49,14 +46,6 @@ internal object PlyParser : SceneParser {
         val meshes = PlyMeshes(source, vertices, tables.faces.polygons, header.textureFiles).build()
         val lines = if (tables.edges.isEmpty) emptyList() else listOf(tables.edges.lines(vertices))
         if (vertices.count == 0) source.warn("there are no vertices, so there is nothing to see")
-        return Scene((meshes + lines).ifEmpty { points(vertices) })
-    }
-
-    private fun points(vertices: VertexArrays): List<Points> {
-        if (vertices.count == 0) return emptyList()
-        val material = PixelDefaults.material(vertices.normals != null, vertices.colors != null)
-        val size = PixelDefaults.POINT_SIZE
-        val origin = vertices.origin
-        return listOf(Points(vertices.positions, size, material, vertices.normals, vertices.colors, origin))
+        return Scene((meshes + lines).ifEmpty { vertices.points() })
     }
 }

@@ -11,7 +11,8 @@ import org.joml.Vector3dc
 
 /**
  * Reads the ASCII form: any number of solids, each a sequence of facets. Line breaks can be anywhere; only a solid's
- * name ends at one. The format allows three vertices in a loop. Some programs write more; such a loop is triangulated.
+ * name ends at one. A word that begins with `#` begins a comment, which ends with the line. The format allows three
+ * vertices in a loop. Some programs write more; such a loop is triangulated.
  *
  * @param origin the point to subtract from all positions
  * @param lines the text
@@ -34,10 +35,18 @@ internal class StlAscii(
     /** Reads all solids. Calls [begin] with the name of each, and adds its corners to what it returns. */
     fun read(begin: (name: String) -> CornerSink) {
         while (advance()) {
-            expect("solid")
-            solid(begin(lines.restOfLine()))
+            if (isPadding()) {
+                isPeeked = false
+            } else {
+                expect("solid")
+                solid(begin(lines.restOfLine()))
+            }
         }
     }
+
+    /** Whether the word consists of control characters with which some programs fill or end a file. */
+    private fun isPadding(): Boolean =
+        (lines.wordStart until lines.wordEnd).all { lines.bytes[it] == NULL || lines.bytes[it] == END_OF_FILE }
 
     private fun solid(solid: CornerSink) {
         while (true) {
@@ -80,9 +89,14 @@ internal class StlAscii(
     private fun add(corner: Int, solid: CornerSink) =
         solid.add(corners[3 * corner], corners[3 * corner + 1], corners[3 * corner + 2])
 
-    /** Moves to the next word, unless there is one that has not been consumed. Returns false at the end of the file. */
+    /**
+     * Moves to the next word that is not part of a comment, unless there is one that has not been consumed. Returns
+     * false at the end of the file.
+     */
     private fun advance(): Boolean {
-        if (!isPeeked) isPeeked = lines.nextWordOfText()
+        while (!isPeeked && lines.nextWordOfText()) {
+            if (lines.bytes[lines.wordStart] == HASH) lines.endLine() else isPeeked = true
+        }
         return isPeeked
     }
 
@@ -122,6 +136,12 @@ internal class StlAscii(
 
     private fun fail(problem: String, remedy: String? = null): Nothing =
         source.fail("line ${lines.number}", problem, remedy ?: "correct the line or export the model again")
+
+    private companion object {
+        const val HASH = '#'.code.toByte()
+        const val NULL = '\u0000'.code.toByte()
+        const val END_OF_FILE = '\u001A'.code.toByte()
+    }
 }
 
 /** Takes the corners of triangles, three for each. */

@@ -22,18 +22,33 @@ internal object StlBinary {
     const val NORMAL: Int = 12
     private const val WORD = 48
 
-    /** Number of bytes to search for bytes that do not occur in text. */
+    /** Number of bytes to search for what does, or does not, occur in text. */
     private const val PROBE = 1024
 
+    /** Words of the ASCII form, which do not occur in the headers of the binary form. */
+    private val words = Regex("facet\\s+(normal|outer)|outer\\s+loop", RegexOption.IGNORE_CASE)
+
     /**
-     * Whether [bytes] are in the binary form. Its header may also begin with `solid`, like the ASCII form, but its
-     * count of facets contains bytes that do not occur in text, such as zeros.
+     * Whether a file of [size] bytes, of which [bytes] are the first, is in the binary form. It is if its size fits its
+     * count of facets. Otherwise, words of the ASCII form decide. Without any, it is binary unless it begins with
+     * `solid` and has no bytes that do not occur in text: binary files may begin with `solid`, too, but their count of
+     * facets contains such bytes, for example zeros.
      */
-    fun isBinary(bytes: ByteArray): Boolean {
+    fun isBinary(bytes: ByteArray, size: Long): Boolean {
+        if (isWhole(bytes, size)) return true
         val start = TextEncoding.start(bytes, PROBE)
+        if (words.containsMatchIn(start)) return false
         val isMarked = start.trimStart().startsWith("solid", ignoreCase = true)
         return !isMarked || start.any { it < ' ' && !it.isWhitespace() }
     }
+
+    /** Whether [size] is that of a binary file whose first bytes are [bytes]. */
+    fun isWhole(bytes: ByteArray, size: Long): Boolean =
+        bytes.size >= FACETS && FACETS + FACET * announced(bytes) == size
+
+    /** Returns the number of facets that the header in [bytes] announces. */
+    private fun announced(bytes: ByteArray): Long =
+        ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(HEADER).toLong() and 0xFFFFFFFFL
 
     /** Reads the single solid of the file. */
     fun read(source: Source): Solid {
@@ -74,8 +89,7 @@ internal object StlBinary {
                 "export the model again; an ASCII file would begin with \"solid\"",
             )
         }
-        val header = ByteBuffer.wrap(source.bytes).order(ByteOrder.LITTLE_ENDIAN)
-        val count = header.getInt(HEADER).toLong() and 0xFFFFFFFFL
+        val count = announced(source.bytes)
         val present = (size - FACETS) / FACET
         if (present < count) {
             source.fail(

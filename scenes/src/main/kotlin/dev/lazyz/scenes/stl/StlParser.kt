@@ -37,7 +37,7 @@ internal object StlParser : SceneParser {
     )
 
     private fun meshes(source: Source): List<Mesh> {
-        val solids = if (StlBinary.isBinary(source.bytes)) {
+        val solids = if (StlBinary.isBinary(source.bytes, source.bytes.size.toLong())) {
             listOf(StlBinary.read(source))
         } else {
             source.decodeText()

@@ -25,7 +25,8 @@ import org.joml.Vector3dc
 internal object StlStreaming {
     /** Opens [input], whose first bytes [source] has. */
     fun open(source: Source, input: StreamedInput): MeshSource {
-        val mesh = if (StlBinary.isBinary(source.bytes)) binary(source, input.file) else ascii(source, input)
+        val isBinary = StlBinary.isBinary(source.bytes, input.file.size)
+        val mesh = if (isBinary) binary(source, input.file) else ascii(source, input)
         if (mesh.triangleCount == 0) source.warn("there are no facets, so there is nothing to see")
         return mesh
     }

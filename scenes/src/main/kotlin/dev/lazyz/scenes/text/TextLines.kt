@@ -158,6 +158,9 @@ internal class TextLines(private val window: ByteWindow, position: Int = 0, firs
         /** Whether [byte] is white space within a line. */
         fun isSpace(byte: Byte): Boolean = byte == SPACE || byte == TAB || byte == FORM_FEED
 
+        /** Returns [name] without a trailing comment. In a name, only a `#` after a space begins one. */
+        fun uncommented(name: String): String = name.substringBefore(" #").trimEnd()
+
         /** Splits [line] at white space. */
         fun words(line: String): List<String> {
             val tokens = StringTokenizer(line)

@@ -23,6 +23,13 @@ internal class ThreeMfBuild(private val source: Source) {
     fun meshes(): List<Mesh> {
         val root = model(archive.modelPath) ?: source.fail(archive.modelPath, "is missing", "export the model again")
         for (item in root.items) place(item, Matrix4d(), NO_LOOK)
+        if (models.values.any { it.requiresSlices }) {
+            if (placed.isEmpty()) {
+                val problem = "the file requires slices, and has no triangles"
+                source.fail(archive.modelPath, problem, "export it with triangles")
+            }
+            source.warn("the file requires slices, which are not shown; its triangles are")
+        }
         if (supports > 0) source.warn("$supports support structures are not shown")
         if (meshes.withoutLooks > 0) {
             val what = "triangles refer to colours or textures that are not there, and are drawn without"

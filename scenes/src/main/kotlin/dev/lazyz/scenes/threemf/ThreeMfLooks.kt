@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.threemf
 
+import dev.lazyz.Rgba
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.meshes.Palette
 import dev.lazyz.scenes.meshes.TexturePlaces
@@ -22,6 +23,9 @@ internal class ThreeMfLooks {
      */
     class Group(val texture: Int = -1) {
         val numbers = Ints()
+
+        /** The colour on which the texture lies, or null if there is none. */
+        var ground: Rgba? = null
     }
 }
 

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.threemf
 
+import dev.lazyz.Rgba
 import dev.lazyz.scenes.collections.KindCounts
 import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.text.TextLines
@@ -108,21 +109,45 @@ internal class ThreeMfLooksReader(
     }
 
     /**
-     * Reads layers that lie on top of each other. Uses the last layer with a texture, or the first layer if none has
-     * one.
+     * Reads layers that lie on top of each other. Uses the last layer with a texture, on the mean colour of the layer
+     * of colours that is next below it; or the first layer if none has a texture.
      */
     private fun readLayers() {
         val ids = numbers("pids").map { part.whole(it) }
-        val shown = ids.indexOfLast { (looks.groups[it]?.texture ?: -1) >= 0 }.coerceAtLeast(0)
-        val layer = looks.groups[ids.getOrNull(shown) ?: -1]
+        val layers = ids.map { looks.groups[it] }
+        val shown = layers.indexOfLast { it != null && it.texture >= 0 }.coerceAtLeast(0)
+        val below = layers.take(shown).indexOfLast { it != null && it.texture < 0 }
+        val layer = layers.getOrNull(shown)
         val group = ThreeMfLooks.Group(layer?.texture ?: -1)
         looks.groups[id()] = group
-        if (ids.size > 1) repeat(ids.size - 1) { unused.add("layers of multiproperties") }
+        repeat(ids.size - (if (below < 0) 1 else 2)) { unused.add("layers of multiproperties") }
+        val grounds = ArrayList<Int>()
         part.forEachChild {
-            // A missing index means the first element of the layer
-            val index = numbers("pindices").getOrNull(shown)?.let { part.whole(it) } ?: 0
-            if (layer != null && index < layer.numbers.size) group.numbers.add(layer.numbers[index])
+            val indices = numbers("pindices")
+            number(layer, indices, shown)?.let { number -> group.numbers.add(number) }
+            number(layers.getOrNull(below), indices, below)?.let { number -> grounds.add(number) }
         }
+        group.ground = mean(grounds)
+    }
+
+    /** Returns what the index at [place] of [indices] refers to in [layer], or null if there is no such element. */
+    private fun number(layer: ThreeMfLooks.Group?, indices: List<String>, place: Int): Int? {
+        // A missing index means the first element of the layer
+        val index = indices.getOrNull(place)?.let { part.whole(it) } ?: 0
+        return if (layer != null && index < layer.numbers.size) layer.numbers[index] else null
+    }
+
+    /** Returns the mean of [colors], which are numbers in the palette, or null if there are none. */
+    private fun mean(colors: List<Int>): Rgba? {
+        if (colors.isEmpty()) return null
+        val sum = DoubleArray(4)
+        val color = FloatArray(4)
+        for (number in colors) {
+            looks.palette.copy(number, color, 0)
+            for (channel in 0 until 4) sum[channel] += color[channel].toDouble()
+        }
+        val (red, green, blue, alpha) = sum.map { (it / colors.size).toFloat() }
+        return Rgba(red, green, blue, alpha)
     }
 
     private fun numbers(attribute: String): List<String> = TextLines.words(part.attribute(attribute) ?: "")

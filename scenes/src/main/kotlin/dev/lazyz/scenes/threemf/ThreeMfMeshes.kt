@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.threemf
 
+import dev.lazyz.Rgba
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.CornerMesh
@@ -12,6 +13,11 @@ import dev.lazyz.world.surface.Mesh
 /** The look of triangles without their own: a group and an index in it. The group is -1 if there is no such look. */
 internal data class DefaultLook(val group: Int, val index: Int)
 
+/** What covers triangles: the number of a texture, or -1, and the colour on which the texture lies, or null. */
+private data class Coat(val texture: Int, val ground: Rgba?)
+
+private val BARE = Coat(-1, null)
+
 /** Builds meshes from the triangles of objects. Not thread safe. */
 internal class ThreeMfMeshes(private val source: Source, private val textures: ThreeMfTextures) {
     /** Number of triangles that refer to looks that do not exist. */
@@ -22,18 +28,19 @@ internal class ThreeMfMeshes(private val source: Source, private val textures: T
     fun build(model: ThreeMfModel, found: ThreeMfObject, default: DefaultLook): List<Mesh> {
         if (found.triangles.size == 0) return emptyList()
         val mesh = CornerMesh(found.vertices(), model.looks.palette, model.looks.places)
-        val textureNumbers = LinkedHashMap<Int, Int>()
+        val coats = LinkedHashMap<Coat, Int>()
         val groupOf = Ints()
         for (triangle in 0 until found.triangles.size / 3) {
-            val texture = addTriangle(model.looks, found, triangle, default, mesh)
-            groupOf.add(textureNumbers.getOrPut(texture) { textureNumbers.size })
+            val coat = addTriangle(model.looks, found, triangle, default, mesh)
+            groupOf.add(coats.getOrPut(coat) { coats.size })
         }
         val whole = source.loading.smoothed(source, mesh.mesh(source), ThreeMfParser.CREASE_ANGLE)
-        val parts = MeshParts(whole, groupOf, textureNumbers.size)
-        return textureNumbers.map { (number, group) ->
-            val texture = model.looks.textures[number]?.let(textures::find)
-            val isTranslucent = texture?.hasAlpha == true || model.looks.palette.isTranslucent
+        val parts = MeshParts(whole, groupOf, coats.size)
+        return coats.map { (coat, group) ->
+            val texture = model.looks.textures[coat.texture]?.let { textures.find(it, coat.ground) }
+            val isTranslucent = texture?.hasAlpha ?: model.looks.palette.isTranslucent
             val material = Material(
+                baseColor = coat.ground.takeIf { texture == null } ?: Rgba.WHITE,
                 texture = texture,
                 alphaMode = if (isTranslucent) AlphaMode.BLEND else AlphaMode.OPAQUE,
                 name = found.name,
@@ -42,14 +49,14 @@ internal class ThreeMfMeshes(private val source: Source, private val textures: T
         }
     }
 
-    /** Adds a triangle to [mesh], and returns the number of its texture, or -1. */
+    /** Adds a triangle to [mesh], and returns what covers it. */
     private fun addTriangle(
         looks: ThreeMfLooks,
         found: ThreeMfObject,
         triangle: Int,
         default: DefaultLook,
         mesh: CornerMesh,
-    ): Int {
+    ): Coat {
         val at = 4 * triangle
         val hasOwn = at < found.looks.size && found.looks[at] >= 0
         val number = if (hasOwn) found.looks[at] else default.group
@@ -66,6 +73,6 @@ internal class ThreeMfMeshes(private val source: Source, private val textures: T
             val isColor = group == null || group.texture < 0
             mesh.add(found.triangles[3 * triangle + corner], if (isColor) look else -1, if (isColor) -1 else look)
         }
-        return if (group != null && isThere) group.texture else -1
+        return if (group != null && isThere) Coat(group.texture, group.ground) else BARE
     }
 }

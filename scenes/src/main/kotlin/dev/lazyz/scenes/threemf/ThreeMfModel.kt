@@ -14,6 +14,9 @@ internal class ThreeMfModel(val path: String) {
 
     /** The items to build, in order. Only those of the package's main part are used. */
     val items = ArrayList<Placement>()
+
+    /** Whether the part requires slices to be understood. */
+    var requiresSlices = false
 }
 
 /**

@@ -35,7 +35,9 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
         for (prefix in TextLines.words(part.attribute("requiredextensions") ?: "")) {
             val namespace = part.namespace(prefix)
                 ?: part.fail("the required extension \"$prefix\" is not declared: there is no xmlns:$prefix")
-            if (namespace !in EXTENSIONS) {
+            if (namespace == SLICES) {
+                model.requiresSlices = true
+            } else if (namespace !in EXTENSIONS) {
                 part.fail("the file requires the extension $namespace, which is not supported", "export it without")
             }
         }
@@ -90,6 +92,9 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
     private companion object {
         /** Elements that do not affect the picture. */
         val IRRELEVANT = setOf("metadata", "metadatagroup", "trianglesets")
+
+        /** The slice extension; most files that require it contain triangles, too. */
+        const val SLICES = "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07"
 
         /** Materials, production, and sets of triangles, which do not affect the picture. */
         val EXTENSIONS = setOf(

@@ -11,10 +11,10 @@ import dev.lazyz.world.Scene
  * items, also from other parts of the package (Production Extension). Colours come from base materials, colour groups
  * and mixes of base materials, sRGB-encoded, and from textures of texture groups (Materials Extension). An object
  * without looks inherits those of the object that contains it as a component. Base materials with an alpha of 0 are
- * treated as opaque. If colours or textures are translucent, so is the material. Only one of several layers of
- * properties is shown. Supports, beams, slices and everything else that is not a triangle are ignored with a warning.
- * Units are ignored, because they do not change the picture. Normals are smoothed up to creases of [CREASE_ANGLE]
- * degrees.
+ * treated as opaque. If colours or textures are translucent, so is the material. Of several layers of properties, the
+ * last texture is shown, on the mean colour of the layer below it. Supports, beams, slices and everything else that is
+ * not a triangle are ignored with a warning. Units are ignored, because they do not change the picture. Normals are
+ * smoothed up to creases of [CREASE_ANGLE] degrees.
  *
  * The file's z axis points upward. It is not converted.
  */

@@ -1,5 +1,7 @@
 package dev.lazyz.scenes.threemf
 
+import dev.lazyz.Rgba
+import dev.lazyz.scenes.images.ChannelPacking
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.material.Texture
@@ -9,15 +11,25 @@ import dev.lazyz.world.material.TextureWrap
 /** The textures of a package, each decoded once. Not thread safe. */
 internal class ThreeMfTextures(private val source: Source, private val archive: ThreeMfPackage) {
     private val decoded = HashMap<String, Texture?>()
+    private val grounded = HashMap<Pair<String, Rgba>, Texture>()
 
     /**
-     * Returns the texture described by [texture]. Returns null, with a warning, if it is missing or cannot be decoded.
+     * Returns the texture described by [texture], on [ground] if that is not null. Returns null, with a warning, if it
+     * is missing or cannot be decoded.
      */
-    fun find(texture: ThreeMfTexture): Texture? {
-        val picture = decoded.getOrPut(texture.path) { decode(texture.path) } ?: return null
+    fun find(texture: ThreeMfTexture, ground: Rgba?): Texture? {
+        if (texture.path !in decoded) decoded[texture.path] = decode(texture.path)
+        val own = decoded[texture.path] ?: return null
+        val picture = if (ground == null || !own.hasAlpha) own else grounded(texture.path, own, ground)
         val filter = if (texture.isSmooth) TextureFilter.BILINEAR else TextureFilter.NEAREST
         return picture.withSampling(filter, wrap(texture.wrapU), wrap(texture.wrapV))
     }
+
+    private fun grounded(path: String, picture: Texture, ground: Rgba): Texture =
+        grounded.getOrPut(Pair(path, ground)) {
+            source.loading.texels(source, picture.width.toLong() * picture.height)
+            ChannelPacking.onColor(picture, ground)
+        }
 
     private fun decode(path: String): Texture? {
         val bytes = archive.bytes(path)

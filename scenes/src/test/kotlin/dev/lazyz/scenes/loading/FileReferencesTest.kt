@@ -69,6 +69,15 @@ class FileReferencesTest {
     }
 
     @Test
+    fun theRemedyNamesThePlaceThatWasSearched() {
+        assertEquals("is missing and is left out; put it into $folder/tex/a", warning("tex\\a\\wood.png"))
+        assertEquals("is missing and is left out; put it into $folder/tex", warning("./tex/wood.png"))
+        for (reference in listOf("wood.png", "C:\\tex\\wood.png", "/tex/wood.png", "../tex/wood.png", "a\u0000/b")) {
+            assertEquals("is missing and is left out; put it into $folder", warning(reference), reference)
+        }
+    }
+
+    @Test
     fun linksAreResolved() {
         val secret = file("secret.png")
         val inside = file("scene/tex/wood.png")

@@ -91,10 +91,60 @@ class MtlTest {
         }
         assertEquals(AlphaMode.OPAQUE, mesh("d 1\nTr 0").material.alphaMode)
 
-        // Some programs mean opaque by it
-        assertEquals(AlphaMode.OPAQUE, mesh("Tr 1", warnings = 1).material.alphaMode)
-        assertEquals(0f, mesh("d 0").material.baseColor.alpha)
-        assertEquals(0f, mesh("d 0\nTr 1").material.baseColor.alpha)
+        // Some programs mean opaque by these
+        for (library in listOf("Tr 1", "d 0", "d 0\nTr 1", "d -1")) {
+            val material = mesh(library, warnings = 1).material
+            assertEquals(1f, material.baseColor.alpha, library)
+            assertEquals(AlphaMode.OPAQUE, material.alphaMode, library)
+        }
+    }
+
+    @Test
+    fun anExponentOfZeroIsNoHighlight() {
+        assertEquals(Rgba.BLACK, mesh("Ks 1 1 1\nNs 0").material.specular)
+        assertEquals(Rgba.BLACK, mesh("Ks 1 1 1\nNs 0.000000\nillum 2").material.specular)
+        assertEquals(Rgba.WHITE, mesh("Ks 1 1 1\nNs 1").material.specular)
+        assertEquals(Rgba.WHITE, mesh("Ks 1 1 1").material.specular)
+    }
+
+    /** The colour codes of the materials that a model uses, in order. */
+    private fun codes(text: String, warnings: Int = 0): List<String> {
+        val source = TestSources.of(text, folder)
+        val meshes = ObjParser.parse(source).meshes
+        assertEquals(warnings, source.warnings.size, source.warnings.toString())
+        return meshes.map { code(it.material.baseColor) }
+    }
+
+    private val faces = "v 0 0 0\nv 1 0 0\nv 1 1 0\n"
+
+    @Test
+    fun commentsAfterNamesAreNoPartOfThem() {
+        Files.writeString(folder.resolve("m.mtl"), "newmtl r # x\nKd 1 0 0 # y\nnewmtl g\t# z\nKd 0 1 0\n")
+        val text = "mtllib m.mtl # a\n${faces}usemtl r # b\nf 1 2 3\nusemtl g\nf 1 2 3\nusemtl r\nf 3 2 1\n"
+        assertEquals(listOf("FFFF0000", "FF00FF00", "FFFF0000"), codes(text))
+        assertNotNull(mesh("map_Kd wood.png # the wood").material.texture)
+        assertNotNull(mesh("map_Kd -clamp on wood.png\t#the wood").material.texture)
+    }
+
+    @Test
+    fun aHashCanBePartOfAName() {
+        Files.writeString(folder.resolve("a #b.mtl"), "newmtl <m#-1\nKd 1 0 0\nnewmtl m #1\nKd 0 1 0\nnewmtl m #2\n")
+        Files.writeString(folder.resolve("a"), "newmtl m\n")
+        val text = "mtllib a #b.mtl\n${faces}usemtl <m#-1\nf 1 2 3\nusemtl m #2\nf 1 2 3\nusemtl m #1\nf 3 2 1\n"
+        assertEquals(listOf("FFFF0000", "FFFFFFFF", "FF00FF00"), codes(text))
+        Files.copy(folder.resolve("wood.png"), folder.resolve("oak #2.png"))
+        assertEquals("oak #2.png", mesh("map_Kd oak #2.png").material.texture!!.name)
+    }
+
+    @Test
+    fun oneStatementMayNameLibrariesWithSpaces() {
+        Files.writeString(folder.resolve("my red.mtl"), "newmtl r\nKd 1 0 0\n")
+        Files.writeString(folder.resolve("the blue.MTL"), "newmtl b\nKd 0 0 1\n")
+        Files.writeString(folder.resolve("g.mtl"), "newmtl g\nKd 0 1 0\n")
+        val used = "${faces}usemtl r\nf 1 2 3\nusemtl g\nf 1 2 3\nusemtl b\nf 1 2 3\n"
+        val names = "mtllib my red.mtl g.mtl the blue.MTL"
+        assertEquals(listOf("FFFF0000", "FF00FF00", "FF0000FF"), codes("$names\n$used"))
+        assertEquals(listOf("FFFF0000", "FF00FF00", "FF0000FF"), codes("$names no such.mtl # c\n$used", warnings = 1))
     }
 
     @Test

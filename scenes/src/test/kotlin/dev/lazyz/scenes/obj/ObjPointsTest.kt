@@ -9,6 +9,7 @@ import dev.lazyz.world.surface.Surface
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
@@ -23,6 +24,16 @@ class ObjPointsTest {
         val points = surfaces("p 3 1\np -1\n").single() as Points
         assertArrayEquals(floatArrayOf(1f, 1f, 0f, 0f, 0f, 0f, 0f, 1f, 0f), points.positions)
         assertArrayEquals(floatArrayOf(1f, 0f, 0f, 1f, 1f, 1f, 1f, 1f, 1f, 1f, 1f, 1f), points.colors)
+    }
+
+    @Test
+    fun verticesOfAModelWithoutAnythingElseArePoints() {
+        val points = surfaces("vn 0 0 1\ng a\n").single() as Points
+        assertArrayEquals(floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 1f, 1f, 0f, 0f, 1f, 0f), points.positions)
+        assertEquals(listOf(1f, 0f, 0f, 1f), points.colors?.slice(8..11))
+        val plain = ObjParser.parse(TestSources.of("v 1 2 3\n")).surfaces.single() as Points
+        assertNull(plain.colors)
+        assertNotEquals(Rgba.WHITE, plain.material.baseColor)
     }
 
     @Test

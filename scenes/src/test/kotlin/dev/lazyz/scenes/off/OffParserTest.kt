@@ -11,6 +11,7 @@ import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.corners
 import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
@@ -109,9 +110,41 @@ class OffParserTest {
         assertNull(mesh("OFF\n4 2 0\n${square}3 0 1 2 7\n3 0 2 3 1 2 3 4 5\n", warnings = 1).colors)
         assertEquals(1, mesh("OFF\n4 3 0\n${square}3 0 1 2\n2 0 1\n1 0\n", warnings = 1).triangleCount)
         assertEquals(1, mesh("OFF\n3 1 0\n0 0 0 9\n1 0 0\n0 1 0 9 9 9\n3 0 1 2\n", warnings = 1).triangleCount)
-        val source = TestSources.of("OFF\n1 0 0\n0 0 0\n")
-        assertEquals(0, OffParser.parse(source).surfaces.size)
-        assertEquals(1, source.warnings.size)
+    }
+
+    @Test
+    fun verticesWithoutFacesArePoints() {
+        val source = TestSources.of("COFF\n2 0 0\n0 0 0 255 0 0\n1 2 3 0 0 255\n")
+        val points = OffParser.parse(source).surfaces.single() as Points
+        assertEquals(listOf(0f, 0f, 0f, 1f, 2f, 3f), points.positions.toList())
+        assertEquals(listOf(1f, 0f, 0f, 1f, 0f, 0f, 1f, 1f), points.colors?.toList())
+        assertEquals(emptyList<String>(), source.warnings)
+        val empty = TestSources.of("OFF\n0 0 0\n")
+        assertEquals(0, OffParser.parse(empty).surfaces.size)
+        assertTrue("there are no vertices" in empty.warnings.single())
+    }
+
+    private fun undeclared(first: String, second: String, third: String, header: String = "OFF") =
+        mesh("$header\n3 1 0\n0 0 0 $first\n1 0 0 $second\n0 1 0 $third\n3 0 1 2\n", warnings = 1)
+
+    @Test
+    fun coloursThatTheHeaderDoesNotDeclareAreRead() {
+        val expected = listOf(listOf("FFFF0000", "FF00FF00", "FF0000FF"))
+        assertEquals(expected, undeclared("255 0 0", "0 255 0", "0 0 255").codes())
+        assertEquals(expected, undeclared("1.0 0.0 0.0", "0.0 1.0 0.0", "0.0 0.0 1.0").codes())
+        val alpha = undeclared("255 0 0 255", "0 255 0 128", "0 0 255 0")
+        assertEquals(listOf(listOf("FFFF0000", "8000FF00", "000000FF")), alpha.codes())
+    }
+
+    @Test
+    fun whatCouldBeSomethingElseIsNoColour() {
+        assertNull(undeclared("0 0 1", "0 0 1", "0 0 1").colors)
+        assertNull(undeclared("0.6 0.8 0", "0.8 0.6 0", "0 0.6 0.8").colors)
+        assertNull(undeclared("255 0 0", "0 255 0", "").colors)
+        assertNull(undeclared("255 0 0", "0 256 0", "0 0 255").colors)
+        assertNull(undeclared("255 0 0", "0 255 0", "0 0 0.5").colors)
+        assertNull(undeclared("-1 0 0", "0 1 0", "0 0 1").colors)
+        assertNull(undeclared("0 0 1 255 0 0", "0 0 1 0 255 0", "0 0 1 0 0 255", "NOFF").colors)
     }
 
     @Test

@@ -139,6 +139,31 @@ class StlParserTest {
     }
 
     @Test
+    fun whatLooksLikeTextIsReadAsText() {
+        val text = ascii(corner, neighbour)
+        val commented = "# c\n" + text.replace("\n", " # d\n")
+        for (file in listOf("$text\u0000\u0000\u0000", "$text\u001A\n$text", commented, "\n\u0000\n$text")) {
+            assertEquals(2, StlParser.parse(TestSources.of(file)).meshes.first().triangleCount, file)
+        }
+    }
+
+    @Test
+    fun mistakesInTextAreNotTakenForBinary() {
+        val control = TestSources.error(StlParser, TestSources.of(ascii(corner).replace("1.0 0.0 0.0", "\u0010 0 0")))
+        assertEquals("line 5", control.location)
+        val headless = TestSources.error(StlParser, TestSources.of(ascii(corner).substringAfter('\n')))
+        assertEquals("line 1", headless.location)
+        assertTrue(headless.problem.contains("\"facet\" stands where solid should"), headless.problem)
+    }
+
+    @Test
+    fun aSizeThatFitsTheCountDecides() {
+        val header = "solid facet normal 0 0 1 outer loop".padEnd(80)
+        val facets = Array(0x2020) { corner }
+        assertEquals(0x2020, mesh(binary(*facets, header = header)).triangleCount)
+    }
+
+    @Test
     fun wrongWordNamesItsLine() {
         val text = ascii(corner).replace("endloop", "endlop")
         val error = TestSources.error(StlParser, TestSources.of(text))

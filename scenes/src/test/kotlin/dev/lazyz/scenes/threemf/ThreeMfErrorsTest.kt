@@ -133,6 +133,19 @@ class ThreeMfErrorsTest {
     }
 
     @Test
+    fun slicesAreNotNeededIfThereAreTriangles() {
+        val slices = "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07"
+        fun file(object1: String) = ThreeMfFiles.of(
+            model(object1, item).replace("<model ", "<model requiredextensions=\"s\" xmlns:s=\"$slices\" "),
+        )
+        val source = TestSources.of(file(one))
+        assertEquals(1, ThreeMfParser.parse(source).surfaces.size)
+        assertEquals("test: the file requires slices, which are not shown; its triangles are", source.warnings.single())
+        val empty = "<object id=\"1\" s:slicestackid=\"2\"><mesh><vertices/><triangles/></mesh></object>"
+        assertFails(file(empty), "3D/3dmodel.model", "the file requires slices, and has no triangles")
+    }
+
+    @Test
     fun twoObjectsWithOneIdAreRefused() {
         assertFails("$one\n$one", item, "3D/3dmodel.model, line 4", "two objects have the id 1")
     }

@@ -6,6 +6,7 @@ import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.scenes.threemf.ThreeMfFiles.model
 import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.TextureFilter
 import dev.lazyz.world.material.TextureWrap
 import dev.lazyz.world.surface.Mesh
@@ -113,12 +114,50 @@ class ThreeMfLooksTest {
             "</m:compositematerials>"
         val layers = "<m:multiproperties id=\"6\" pids=\"1 4\"><m:multi pindices=\"0 1\"/><m:multi pindices=\"0\"/>" +
             "</m:multiproperties>"
-        val warning = listOf("what is not shown: 1 layers of multiproperties")
         val thing = thing("id=\"9\"", "pid=\"5\" p1=\"0\"", "pid=\"6\" p1=\"0\" p2=\"1\" p3=\"1\"")
-        val (mixed, layered) = meshes(bases + textures + mix + layers + thing, item, warning)
+        val (mixed, layered) = meshes(bases + textures + mix + layers + thing, item)
         assertEquals(listOf(1f, 0.25f, 0.25f, 1f), mixed.colors!!.take(4))
         assertEquals("t.png", layered.material.texture!!.name)
         assertEquals(listOf(1f, 0.75f, 0f, 1f), layered.uvs!!.take(4))
+    }
+
+    /** The material of layers [pids], of which a texture has one transparent and one white texel. */
+    private fun layered(
+        groups: String,
+        pids: String,
+        warnings: List<String> = emptyList(),
+        path: String = "u.png",
+    ): Material {
+        val layers = "<m:multiproperties id=\"6\" pids=\"$pids\"><m:multi pindices=\"0 0\"/></m:multiproperties>"
+        val thing = thing("id=\"9\" pid=\"6\" pindex=\"0\"", "")
+        val model = model(textures.replace("t.png", path) + groups + layers + thing, item)
+        val png = PngFile.of(2, 1, 8, PngFile.GREY_ALPHA, listOf(PngFile.bytes(9, 0, 255, 255)))
+        val source = TestSources.of(ThreeMfFiles.of(model, "3D/Textures/u.png" to png))
+        val material = ThreeMfParser.parse(source).meshes.single().material
+        assertEquals(warnings.map { "test: $it" }, source.warnings)
+        return material
+    }
+
+    private fun texels(material: Material) =
+        checkNotNull(material.texture).run { List(width) { "%08X".format(texel(it, 0)) } }
+
+    @Test
+    fun aTextureLiesOnTheColourBelowIt() {
+        val opaque = layered(bases, "1 4")
+        assertEquals(listOf("FFFF0000", "FFFFFFFF"), texels(opaque))
+        assertEquals(AlphaMode.OPAQUE, opaque.alphaMode)
+        assertEquals(listOf("FF00FF00", "FFFFFFFF"), texels(layered(colors, "2 4")))
+        val more = listOf("what is not shown: 1 layers of multiproperties")
+        assertEquals(listOf("FF00FF00", "FFFFFFFF"), texels(layered(bases + colors, "1 2 4", more)))
+        assertEquals(listOf("00090909", "FFFFFFFF"), texels(layered("", "4")))
+    }
+
+    @Test
+    fun aColourIsShownWhereTheTextureOnItIsUnusable() {
+        val lost = "texture /3D/Textures/v.png is not in the package and is left out"
+        val material = layered(colors, "2 4", listOf(lost), "v.png")
+        assertNull(material.texture)
+        assertEquals(Rgba(0f, 1f, 0f), material.baseColor)
     }
 
     @Test

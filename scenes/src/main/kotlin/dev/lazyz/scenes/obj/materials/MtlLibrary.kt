@@ -19,26 +19,47 @@ import java.nio.file.Path
  */
 internal class MtlLibrary(private val source: Source) {
     private val materials = HashMap<String, MtlMaterial>()
+
+    /** The materials by their names without trailing comments. */
+    private val uncommented = HashMap<String, MtlMaterial>()
     private val missing = HashMap<String?, MtlMaterial>()
 
     /**
-     * Reads the libraries of an `mtllib` statement. [reference] is one file name, which may contain spaces, or several.
+     * Reads the libraries of an `mtllib` statement. [reference] is one file name, which may contain spaces, or several,
+     * and may end with a comment.
      */
     fun add(reference: String) {
-        val whole = source.references.find(reference)
-        if (whole.file != null) return read(whole.file)
-        val words = TextLines.words(reference)
-        val areSeveral = words.size > 1 && words.any { source.references.find(it).file != null }
-        for (word in if (areSeveral) words else listOf(reference)) {
-            val found = source.references.find(word)
-            if (found.file == null) source.warn("material library $word ${found.warning}") else read(found.file)
+        for (name in names(reference)) {
+            val found = source.references.find(name)
+            if (found.file == null) source.warn("material library $name ${found.warning}") else read(found.file)
         }
     }
 
-    /** Returns the material with the given [name], or a plain white one if no library defines it. */
-    fun material(name: String?): MtlMaterial = materials[name] ?: missing.getOrPut(name) {
-        if (name != null) source.warn("material $name is not defined in any library and becomes plain white")
-        MtlMaterial(Material(name = name ?: ""), isDefined = false)
+    /**
+     * Divides [reference] into names of files: the whole if there is such a file; otherwise behind each `.mtl`, and at
+     * each space where that finds more.
+     */
+    private fun names(reference: String): List<String> {
+        val plain = TextLines.uncommented(reference)
+        for (whole in listOf(reference, plain)) if (isFile(whole)) return listOf(whole)
+        return plain.split(nameEnd).flatMap { name ->
+            val words = TextLines.words(name)
+            if (isFile(name) || words.none(::isFile)) listOf(name) else words
+        }
+    }
+
+    private fun isFile(name: String): Boolean = source.references.find(name).file != null
+
+    /**
+     * Returns the material with the given [name], which may end with a comment, or a plain white one if no library
+     * defines it. If a name has a `#` after a space, the whole name is tried first.
+     */
+    fun material(name: String?): MtlMaterial {
+        val plain = name?.let(TextLines::uncommented)
+        return materials[name] ?: materials[plain] ?: uncommented[plain] ?: missing.getOrPut(name) {
+            if (name != null) source.warn("material $name is not defined in any library and becomes plain white")
+            MtlMaterial(Material(name = name ?: ""), isDefined = false)
+        }
     }
 
     private fun read(file: Path) {
@@ -57,9 +78,10 @@ internal class MtlLibrary(private val source: Source) {
         }
         val reader = MtlMaterials(source, listOfNotNull(file.parent, source.folder).distinct())
         for ((i, entry) in entries.withIndex()) {
-            materials.getOrPut(entry.name) {
+            val material = materials.getOrPut(entry.name) {
                 reader.material(entry, statements.maps[i], statements.haveOpacity[i], statements.model[i])
             }
+            uncommented.putIfAbsent(TextLines.uncommented(entry.name), material)
         }
         if (statements.unused.total > 0) {
             source.warn("material library ${file.fileName}: statements that are not used are ${statements.unused}")
@@ -73,4 +95,8 @@ internal class MtlLibrary(private val source: Source) {
         "give it the numbers it needs, with decimal points, or remove it",
         cause,
     )
+
+    private companion object {
+        val nameEnd = Regex("(?<=\\.mtl)\\s+", RegexOption.IGNORE_CASE)
+    }
 }

@@ -37,10 +37,12 @@ internal class MtlMaterial(
  * Authors of libraries choose numbers by their appearance on a screen, so `Kd`, `Ks` and `Ke` are sRGB-encoded. `Kd`
  * multiplies the texture, except that a black `Kd` with a `map_Kd` is treated as white: programs that write it mean the
  * unchanged texture, and black would make it invisible. The highlight is `Ks` by the halfway vector with exponent `Ns`,
- * as `illum 2` defines it. `illum 0` means no lighting, and `illum 1` no highlight. `d` below 1 makes a translucent
- * material. So does `Tr`, which is 1 - `d`, except that `Tr 1` without a `d` is treated as opaque, because some
- * programs write it for opaque materials. The alpha of a texture is used only if `map_d` names the same file, and then
- * as a mask. Another file of `map_d` is a mask, too: its alpha, or its grey if it has none, placed like `map_Kd`.
+ * as `illum 2` defines it. `illum 0` means no lighting, and `illum 1` no highlight, as does `Ns 0`: a highlight with this
+ * exponent would be equally bright everywhere, and programs write it for materials that are not glossy. `d` below 1
+ * makes a translucent material. So does `Tr`, which is 1 - `d`. `d 0`, or `Tr 1` without a `d`, is treated as opaque,
+ * with a warning, because some programs write it for opaque materials. The alpha of a texture is used only if `map_d`
+ * names the same file, and then as a mask. Another file of `map_d` is a mask, too: its alpha, or its grey if it has
+ * none, placed like `map_Kd`.
  *
  * `norm` is a normal map, and `bump` or `map_bump` an image of heights, see [HeightNormals]; `map_Ke` multiplies `Ke`,
  * or white if `Ke` is black or missing. A material with `Pm`, `Pr`, `map_Pm` or `map_Pr` (C. Hery et al., the extension
@@ -75,7 +77,7 @@ internal class MtlMaterials(private val source: Source, folders: List<Path>) {
             baseColor = baseColor(mtl, map != null).withAlpha(alpha),
             texture = texture,
             shading = if (isLit) Shading.BLINN_PHONG else Shading.CONSTANT,
-            specular = if (mtl.illum in listOf(0, 1)) Rgba.BLACK else color(mtl.ks) ?: Rgba.BLACK,
+            specular = specular(mtl),
             shininess =
             mtl.ns?.takeIf { it.isFinite() }?.let { (it + 0.5f).toInt().coerceIn(1, 1024) } ?: DEFAULT_SHININESS,
             emission = emission(mtl, maps["map_ke"] != null),
@@ -95,8 +97,9 @@ internal class MtlMaterials(private val source: Source, folders: List<Path>) {
 
     private fun alpha(mtl: Mtl, hasOpacity: Boolean): Float {
         val alpha = mtl.d?.takeIf { it.isFinite() }?.coerceIn(0f, 1f) ?: 1f
-        if (alpha > 0f || hasOpacity) return alpha
-        source.warn("material ${mtl.name}: Tr 1 without d is treated as opaque; to make it invisible, write d 0")
+        if (alpha > 0f) return alpha
+        val statement = if (hasOpacity) "d 0" else "Tr 1 without d"
+        source.warn("material ${mtl.name}: $statement would make it invisible, and is treated as opaque")
         return 1f
     }
 
@@ -106,6 +109,11 @@ internal class MtlMaterials(private val source: Source, folders: List<Path>) {
     private fun baseColor(mtl: Mtl, hasMap: Boolean): Rgba {
         val color = color(mtl.kd) ?: return Rgba.WHITE
         return if (hasMap && color == Rgba.BLACK) Rgba.WHITE else color
+    }
+
+    private fun specular(mtl: Mtl): Rgba {
+        val exponent = mtl.ns?.takeIf { it.isFinite() } ?: DEFAULT_SHININESS.toFloat()
+        return if (mtl.illum in listOf(0, 1) || exponent <= 0f) Rgba.BLACK else color(mtl.ks) ?: Rgba.BLACK
     }
 
     private fun color(tuple: FloatTuple?): Rgba? = tuple?.let {

@@ -4,6 +4,7 @@ import dev.lazyz.scenes.images.ChannelPacking
 import dev.lazyz.scenes.images.HeightNormals
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureEncoding
@@ -24,11 +25,17 @@ internal class MtlTextures(private val source: Source, private val folders: List
 
     /** Returns the image of [map], or null, with a warning, if there is none. */
     fun texture(map: MtlMap): Texture? {
-        val texture = textures.getOrPut(map.file) { TextureFiles.find(source, map.file, folders) }
+        val texture = textures.getOrPut(map.file) { TextureFiles.find(source, name(map.file), folders) }
         if (!map.isClamped) return texture
         return made.getOrPut(listOf("clamped", map.file)) {
             texture?.withSampling(TextureFilter.BILINEAR, TextureWrap.CLAMP, TextureWrap.CLAMP)
         }
+    }
+
+    /** Returns the name in [text], which may end with a comment, unless a file has all of it as its name. */
+    private fun name(text: String): String {
+        val name = TextLines.uncommented(text)
+        return if (name == text || source.references.find(text, folders).file == null) name else text
     }
 
     /** Returns the image of [color], or white if it is null, with the image of [opacity] as alpha. */
