@@ -12,7 +12,7 @@ import dev.lazyz.RowSink
 internal class Rendering private constructor(val image: Image, val counters: Counters, val rows: List<Int>) {
     companion object {
         /** Depth of samples whose row was not delivered. */
-        const val MISSING: Int = -1
+        const val MISSING: Int = Int.MIN_VALUE
 
         /** Renders [frame] row by row. Exceptions of the renderer are passed on. */
         fun of(renderer: Renderer, frame: Frame): Rendering {
@@ -88,7 +88,8 @@ private fun answer(image: Image, sample: Int): String {
     if (image.depth[sample] == Rendering.MISSING) return "nothing: the row was not delivered"
     val index = image.primitive[sample]
     val owner = if (index == DepthTest.BACKGROUND) "the background" else "primitive $index"
-    return "#%08x".format(image.argb[sample]) + ", depth ${image.depth[sample]}, $owner"
+    val depth = image.depth[sample].let { if (it < 0) "$it, which is out of range" else "$it" }
+    return "#%08x".format(image.argb[sample]) + ", depth $depth, $owner"
 }
 
 /** Returns the counters as text without peak memory, which grows with the number of threads. */

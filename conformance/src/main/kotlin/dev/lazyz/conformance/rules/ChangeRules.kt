@@ -160,7 +160,9 @@ public sealed interface ChangeRules : RulesForOne {
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
     ) {
-        Judgement(renderer(), case.withinAny(Random(salt))).equalsReference().equalsItsImage().rowsInOrder()
+        val part = case.withinAny(Random(salt))
+        Judgement(renderer(), part).equalsReference().equalsItsImage().rowsInOrder()
+        Judgement(renderer().configured(RenderOptions(tileSize = 8)), part, "tiles of 8 x 8 samples").equalsReference()
     }
 
     /** Options change the cost of a rendering, never its picture. */

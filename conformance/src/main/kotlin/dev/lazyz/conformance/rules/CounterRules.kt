@@ -3,6 +3,8 @@ package dev.lazyz.conformance.rules
 import dev.lazyz.Capability
 import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.Selector
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.alone
 import dev.lazyz.conformance.cases.changed.asOpaque
@@ -154,17 +156,23 @@ public sealed interface CounterRules : RulesForOne {
         for (each in listOfNotNull(case.asOpaque(), case.glazed(salt).takeIf { isBlending })) {
             for (coherence in listOf(Coherence.INCREMENTAL, Coherence.ADAPTIVE, Coherence.DIRECT)) {
                 // Each renderer is configured from the previous one, whose options must not remain
-                val configured = last.configured(RenderOptions(coherence, threads = 1, tileSize = 512))
-                last = configured
-                val witness = ShadingWitness(each.frame)
-                val judgement = Judgement(configured, each.watched(witness.frame), "$coherence")
-                val starts = judgement.rendering.run { witness.starts }
-                val steps = witness.steps
-                val expected = ExpectedSteps.of(each.frame, coherence)
-                if (starts == expected.starts && steps == expected.steps) continue
-                judgement.fail("$expected are expected, but $starts starts and $steps steps were made")
+                last = last.configured(RenderOptions(coherence, threads = 1, tileSize = 512))
+                stepsAsExpected(last, each, coherence, "$coherence")
             }
         }
+        if (Capability.SELECTION !in renderer.capabilities) return
+        val nearest = RenderOptions(Coherence.INCREMENTAL, threads = 1, tileSize = 512, selector = Selector.nearest())
+        stepsAsExpected(renderer.configured(nearest), case.asOpaque(), nearest.coherence, "a selector of the nearest")
+    }
+
+    private fun stepsAsExpected(renderer: Renderer, case: FrameCase, coherence: Coherence, how: String) {
+        val witness = ShadingWitness(case.frame)
+        val judgement = Judgement(renderer, case.watched(witness.frame), how)
+        val starts = judgement.rendering.run { witness.starts }
+        val steps = witness.steps
+        val expected = ExpectedSteps.of(case.frame, coherence)
+        if (starts == expected.starts && steps == expected.steps) return
+        judgement.fail("$expected are expected, but $starts starts and $steps steps were made")
     }
 
     /** According to the counters, each visible sample has passed and been shaded at least once. */

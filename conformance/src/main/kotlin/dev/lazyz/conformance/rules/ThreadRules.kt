@@ -117,13 +117,15 @@ public sealed interface ThreadRules : RulesForOne {
     )
     @Property(tries = 15, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_interruptIsNotLost(@ForAll(supplier = MixedCases::class) case: FrameCase, @ForAll salt: Long) {
-        val renderer = renderer()
-        for (moment in Interruption.entries) {
-            if (moment.isFor(renderer)) reportsInterrupt(renderer, case, moment, Random(salt))
+        for (renderer in listOf(renderer(), renderer().configured(SMALL_TILES))) {
+            for (moment in Interruption.entries) {
+                if (moment.isFor(renderer)) reportsInterrupt(renderer, case, moment, Random(salt))
+            }
         }
     }
 
     private companion object {
         val FOUR_THREADS = RenderOptions(threads = 4, tileSize = 8)
+        val SMALL_TILES = RenderOptions(threads = 1, tileSize = 8)
     }
 }

@@ -66,6 +66,32 @@ object BrokenPromises {
         options = { shadesGlassDirectly(it) },
     ) { frame, sink -> Lists(if (frame.hasTranslucency) RenderOptions() else options).render(frame, sink) }
 
+    /** Ignores the options of coherence if there is a selector. */
+    fun stepsOrSelects(): BrokenRenderer = stepsOrSelects(RenderOptions())
+
+    private fun stepsOrSelects(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "steps-or-selects",
+        stepping + Capability.SELECTION,
+        options = { stepsOrSelects(it) },
+    ) { frame, sink ->
+        require(!frame.hasTranslucency) { "does not blend: make primitive 0 opaque" }
+        val used = if (options.selector != null) options.withCoherence(Coherence.DIRECT) else options
+        Lists(used).render(frame, sink)
+    }
+
+    /** Reports the memory of opaque pictures also for translucent ones. */
+    fun reportsNoLayers() = BrokenRenderer("reports-no-layers", setOf(Capability.TRANSPARENCY)) { frame, sink ->
+        val counters = Tiled(RenderOptions(threads = 1)).render(frame, sink).toBuilder()
+        if (frame.hasTranslucency) counters.peakBytes = minOf(counters.peakBytes, 36 * frame.region.size)
+        counters.build()
+    }
+
+    /** Primitives that are hidden go, unless the frame has translucent ones. */
+    fun keepsGlass() = BrokenRenderer(
+        "keeps-glass",
+        setOf(Capability.STREAMS_PRIMITIVES, Capability.TRANSPARENCY),
+    ) { frame, sink -> if (frame.hasTranslucency) Lists().render(frame, sink) else Hybrid().render(frame, sink) }
+
     /** Queries all primitives about the next row before it delivers this one. */
     fun looksAhead() = BrokenRenderer("looks-ahead", setOf(Capability.STREAMS_ROWS)) { frame, sink ->
         LazyZBuffer().render(frame) { y, argb, depth, primitive ->

@@ -1,11 +1,13 @@
 package dev.lazyz.conformance.probes.memory
 
+import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.conformance.cases.Glass
 import dev.lazyz.conformance.cases.Once
 import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
@@ -41,7 +43,7 @@ private fun constantMemory(renderer: Renderer, kind: KindOfWork) {
     if (many > few + few / 8 + Long.SIZE_BYTES) {
         fail(renderer, "${what}peakBytes is $few for $FEW_ROWS rows of $NARROW samples, $many for $MANY_ROWS")
     }
-    fun held(rows: Int) = heldForRows(configured, kind, NARROW, rows)
+    fun held(rows: Int) = heldForRows(configured, rows) { stripes(kind, NARROW, rows, it) }
     Heap.requireAtMost(ROWS_ALLOWANCE, { held(MANY_ROWS) - held(FEW_ROWS) }) {
         fail(renderer, "$what$MANY_ROWS rows of $NARROW samples hold $it than $FEW_ROWS rows")
     }
@@ -53,15 +55,28 @@ private fun constantMemory(renderer: Renderer, kind: KindOfWork) {
 internal fun holdsWhatItReports(renderer: Renderer) {
     for (kind in KindOfWork.entries) {
         if (!kind.isFor(renderer)) continue
-        val configured = renderer.configured(kind.options(threads = 2))
-        val reported = configured.render(stripes(kind, WIDE, FEW_ROWS), DISCARD).peakBytes
-        if (reported <= 0) continue
-        val most = MOST_TIMES * reported + REPORT_ALLOWANCE
-        Heap.requireAtMost(most, { heldForRows(configured, kind, WIDE, FEW_ROWS) }) {
-            fail(renderer, "${kind.name.lowercase()} primitives: peakBytes is $reported, but $FEW_ROWS rows hold $it")
+        val what = "${kind.name.lowercase()} primitives in $FEW_ROWS rows"
+        holdsWhatItReports(renderer.configured(kind.options(threads = 2)), what, FEW_ROWS) { onQuery ->
+            stripes(kind, WIDE, FEW_ROWS, onQuery)
         }
     }
+    if (Capability.TRANSPARENCY !in renderer.capabilities) return
+    holdsWhatItReports(renderer, "$DEEP translucent layers on $DEEP_SIDE x $DEEP_SIDE samples", DEEP_SIDE) { onQuery ->
+        val layers = List(DEEP) { Stripe(0..<DEEP_SIDE, 0..<DEEP_SIDE, 1000 + it, onQuery) }
+        Frame(Raster(DEEP_SIDE, DEEP_SIDE), layers.map { Glass(it, DEEP) })
+    }
 }
+
+private fun holdsWhatItReports(renderer: Renderer, what: String, rows: Int, frame: (onQuery: (Int) -> Unit) -> Frame) {
+    val reported = renderer.render(frame {}, DISCARD).peakBytes
+    if (reported <= 0) return
+    Heap.requireAtMost(MOST_TIMES * reported + REPORT_ALLOWANCE, { heldForRows(renderer, rows, frame) }) {
+        fail(renderer, "$what: peakBytes is $reported, but they hold $it")
+    }
+}
+
+private const val DEEP = 256
+private const val DEEP_SIDE = 64
 
 private const val WIDE = 128
 
@@ -77,10 +92,10 @@ private fun stripes(kind: KindOfWork, width: Int, rows: Int, onQuery: (Int) -> U
 }
 
 /** Returns what is held when the last row is queried, and when the first and the last one are delivered. */
-private fun heldForRows(renderer: Renderer, kind: KindOfWork, width: Int, rows: Int): HeapContent =
+private fun heldForRows(renderer: Renderer, rows: Int, frame: (onQuery: (Int) -> Unit) -> Frame): HeapContent =
     Heap.most { measure ->
         val last = Once(rows - 1, measure)
-        renderer.render(stripes(kind, width, rows, last)) { y, _, _, _ -> if (y == 0 || y == rows - 1) measure() }
+        renderer.render(frame(last)) { y, _, _, _ -> if (y == 0 || y == rows - 1) measure() }
     }
 
 private const val FEW_PRIMITIVES = 2048
@@ -91,7 +106,10 @@ private const val PRIMITIVES_ALLOWANCE = MANY_PRIMITIVES - FEW_PRIMITIVES.toLong
 
 /** Fails if many more hidden primitives take more memory, whether they are hidden immediately or later. */
 internal fun constantMemoryInPrimitives(renderer: Renderer) {
-    for (way in renderer.ways()) for (order in Order.entries) constantMemoryInPrimitives(way, order)
+    for (order in Order.entries) {
+        if (order == Order.GLASS_HIDDEN_LATER && Capability.TRANSPARENCY !in renderer.capabilities) continue
+        for (way in renderer.ways()) constantMemoryInPrimitives(way, order)
+    }
 }
 
 private fun constantMemoryInPrimitives(renderer: Renderer, order: Order) {
@@ -112,6 +130,7 @@ private fun constantMemoryInPrimitives(renderer: Renderer, order: Order) {
 private enum class Order(private val words: String) {
     HIDDEN_AT_ONCE("from near to far"),
     HIDDEN_LATER("from far to near"),
+    GLASS_HIDDEN_LATER("from far to near, of which every second one is translucent"),
     ;
 
     override fun toString(): String = words
@@ -127,7 +146,8 @@ private fun arriving(order: Order, count: Int, onQuery: (Int) -> Unit = {}): Fra
 
         override fun get(index: Int): Primitive {
             val depth = 1000 + if (order == Order.HIDDEN_AT_ONCE) index else count - index
-            return Stripe(0..7, 0..1, depth) { onQuery(index) }
+            val stripe = Stripe(0..7, 0..1, depth) { onQuery(index) }
+            return if (order == Order.GLASS_HIDDEN_LATER && index % 2 == 0) Glass(stripe) else stripe
         }
     }
     return Frame(Raster(8, 2), primitives)

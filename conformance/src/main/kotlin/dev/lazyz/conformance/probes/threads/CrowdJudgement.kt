@@ -1,10 +1,14 @@
 package dev.lazyz.conformance.probes.threads
 
 import dev.lazyz.Capability
+import dev.lazyz.Coherence
 import dev.lazyz.Frame
+import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
+import dev.lazyz.ShadingCursor
+import dev.lazyz.conformance.cases.CountingCursor
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.Rendering
@@ -57,24 +61,35 @@ internal fun countsInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) 
 
 /**
  * Fails unless four threads count the same as one, in each of many renderings of many small tiles: two threads that
- * claim the same tile do its work twice.
+ * claim the same tile do its work twice. With steps of shading, too: they must not go on from tile to tile.
  */
 internal fun countsEachTileOnce(renderer: Renderer) {
-    val frame = Frame(Raster(TILES, TILES), List(3) { Stripe(0..<TILES, 0..<TILES, 1000 + it) })
-    val one = renderer.configured(RenderOptions(threads = 1, tileSize = 8)).render(frame) { _, _, _, _ -> }
-    val several = renderer.configured(RenderOptions(threads = 4, tileSize = 8))
-    repeat(RENDERINGS) {
-        TryUnderWay.current?.goesOn()
-        val counters = several.render(frame) { _, _, _, _ -> }
-        if (counters.withoutMemory() != one.withoutMemory()) {
-            val what = "3 primitives that cover $TILES x $TILES samples"
-            fail(renderer, "$what: one thread counts $one, but four count $counters")
+    // The last tiles are one row high
+    val frame = Frame(Raster(WIDTH, HEIGHT), List(3) { Stepping(Stripe(0..<WIDTH, 0..<HEIGHT, 1000 + it)) })
+    for (coherence in listOf(Coherence.DIRECT, Coherence.INCREMENTAL)) {
+        if (coherence != Coherence.DIRECT && Capability.COHERENCE !in renderer.capabilities) continue
+        fun configured(threads: Int) = renderer.configured(RenderOptions(coherence, threads = threads, tileSize = 8))
+        val one = configured(1).render(frame) { _, _, _, _ -> }
+        val several = configured(4)
+        repeat(RENDERINGS) {
+            TryUnderWay.current?.goesOn()
+            val counters = several.render(frame) { _, _, _, _ -> }
+            if (counters.withoutMemory() != one.withoutMemory()) {
+                val what = "3 primitives that cover $WIDTH x $HEIGHT samples, $coherence"
+                fail(renderer, "$what: one thread counts $one, but four count $counters")
+            }
         }
     }
 }
 
-private const val TILES = 256
-private const val RENDERINGS = 40
+/** A primitive that shading can step along. */
+private class Stepping(private val whole: Primitive) : Primitive by whole {
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor = CountingCursor(whole::shade, x, y)
+}
+
+private const val WIDTH = 256
+private const val HEIGHT = 249
+private const val RENDERINGS = 100
 
 private fun miscounted(renderer: Renderer, quiet: FrameCase, what: String): Nothing {
     val right = Rendering.of(ReferenceRenderer(), quiet.frame).image

@@ -12,6 +12,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.counts
 import dev.lazyz.conformance.broken.gallery.RuleNames.empty
 import dev.lazyz.conformance.broken.gallery.RuleNames.ended
 import dev.lazyz.conformance.broken.gallery.RuleNames.fragments
+import dev.lazyz.conformance.broken.gallery.RuleNames.held
 import dev.lazyz.conformance.broken.gallery.RuleNames.memory
 import dev.lazyz.conformance.broken.gallery.RuleNames.oneByOne
 import dev.lazyz.conformance.broken.gallery.RuleNames.options
@@ -53,6 +54,13 @@ internal object PromisesGallery {
         ),
         Mutant(BrokenPromises::keepsStepping, "continues to step after options that turn stepping off", stepping),
         Mutant(BrokenPromises::shadesGlassDirectly, "does not step in frames that blend", stepping),
+        Mutant(BrokenPromises::stepsOrSelects, "does not step if it has a selector", stepping),
+        Mutant(BrokenPromises::reportsNoLayers, "does not report the memory of translucent layers", held),
+        Mutant(
+            BrokenPromises::keepsGlass,
+            "promises to stream primitives, but keeps those of frames that blend",
+            arrivals,
+        ),
         Mutant(BrokenColours::countsNoSteps, "does not count steps", steps),
         Mutant(BrokenColours::countsWholeChains, "counts the steps of a row as one chain", steps),
         Mutant(BrokenStreams::forgetsTheLast, "draws a primitive when the next one arrives", oneByOne),

@@ -7,6 +7,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.far
 import dev.lazyz.conformance.broken.gallery.RuleNames.floats
 import dev.lazyz.conformance.broken.gallery.RuleNames.manySpans
 import dev.lazyz.conformance.broken.gallery.RuleNames.million
+import dev.lazyz.conformance.broken.gallery.RuleNames.region
 import dev.lazyz.conformance.broken.gallery.RuleNames.tensOfThousands
 import dev.lazyz.conformance.broken.gallery.RuleNames.thin
 import dev.lazyz.conformance.broken.gallery.RuleNames.thousands
@@ -16,7 +17,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.together
 /** The gallery's part about features that work alone but not together. */
 internal object CombinationGallery {
     val mutants: List<Mutant> = listOf(
-        Mutant(BrokenCombinations::partsInSmallTiles, "parts that begin within a small tile lack a column", together),
+        Mutant(BrokenCombinations::partsInSmallTiles, "parts that begin within a small tile lack a column", together, region),
         Mutant(
             BrokenCombinations::noBlendingInRegions,
             "nothing is blended if the region is a part of the raster",
