@@ -70,19 +70,20 @@ internal class Multitude private constructor(width: Int, height: Int, private va
     }
 
     companion object {
-        private const val WIDE = 100_003
+        private const val WIDE = 33_001
         private const val SIDE = 150
         private const val LAYERS = 70
         private const val SHARE = 37
         private const val DISTANCE = 1 shl 16
 
-        /** A row of a hundred thousand samples, and primitives of up to 50,001 spans in it. */
-        fun ofSpans(isTranslucent: Boolean): Multitude {
-            val combs = listOf(0 to 3, 1 to 2, 2 to 7).mapIndexed { i, (first, step) ->
-                val color = Rgba(0.2f + 0.3f * i, 0.8f - 0.2f * i, 0.5f, if (isTranslucent) 0.5f else 1f)
-                Comb(WIDE, 1, first, step, (3 - i) * DISTANCE, color, isTranslucent)
-            }
-            return Multitude(WIDE, 1, combs, "primitives of tens of thousands of spans in a row")
+        /**
+         * A primitive of more than 2^14 spans in a row, before one that covers all of it. Not more of them, because
+         * renderers that query a primitive at each sample are correct, too.
+         */
+        fun ofSpans(): Multitude {
+            val comb = Comb(WIDE, 1, 1, 2, DISTANCE, Rgba(0.8f, 0.2f, 0.5f), isTranslucent = false)
+            val back = Comb(WIDE, 1, 0, 1, 2 * DISTANCE, Rgba(0.2f, 0.6f, 0.5f), isTranslucent = false)
+            return Multitude(WIDE, 1, listOf(comb, back), "a primitive of more than 16,384 spans in a row")
         }
 
         /** More than a million fragments of thin layers, whose order of submission is not that of depth. */

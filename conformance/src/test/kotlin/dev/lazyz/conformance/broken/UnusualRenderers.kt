@@ -128,6 +128,7 @@ internal object UnusualRenderers {
         val first = ZBuffer().render(frame).counters
         val second = emit(ZBuffer().render(frame), sink).toBuilder()
         second.shadingCalls += first.shadingCalls
+        second.depthEvaluations += first.depthEvaluations
         return second.build()
     }
 

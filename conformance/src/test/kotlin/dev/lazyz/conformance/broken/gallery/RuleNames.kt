@@ -40,7 +40,7 @@ internal object RuleNames {
     val tiles = RendererConformance::rule_1_1_rastersOfSeveralTilesAreDrawnCorrectly.name
     val far = RendererConformance::rule_1_1_columnsAndRowsAreNotTruncated.name
     val manySpans = RendererConformance::rule_2_3_allSpansOfARowAreDrawn.name
-    val tensOfThousands = RendererConformance::rule_2_3_tensOfThousandsOfSpansAreDrawn.name
+    val thousandsOfSpans = RendererConformance::rule_2_3_thousandsOfSpansAreDrawn.name
     val million = RendererConformance::rule_5_5_millionFragmentsBlend.name
     val deep = RendererConformance::rule_5_1_nearestOfDozensOfLayersIsVisible.name
     val thousands = RendererConformance::rule_5_1_nearestOfThousandsOfLayersIsVisible.name

@@ -8,7 +8,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.floats
 import dev.lazyz.conformance.broken.gallery.RuleNames.manySpans
 import dev.lazyz.conformance.broken.gallery.RuleNames.million
 import dev.lazyz.conformance.broken.gallery.RuleNames.region
-import dev.lazyz.conformance.broken.gallery.RuleNames.tensOfThousands
+import dev.lazyz.conformance.broken.gallery.RuleNames.thousandsOfSpans
 import dev.lazyz.conformance.broken.gallery.RuleNames.thin
 import dev.lazyz.conformance.broken.gallery.RuleNames.thousands
 import dev.lazyz.conformance.broken.gallery.RuleNames.tiles
@@ -38,7 +38,7 @@ internal object SizeGallery {
         Mutant(BrokenSizes::noTilesBeyondTheFirstOf256, "tiles of 256 right of or below the first are lost", tiles),
         Mutant(BrokenSizes::seamAt256, "the first column of a tile of 256 is a copy of the one before", tiles),
         Mutant(BrokenSizes::sixteenSpans, "a primitive has at most 16 spans in a row", manySpans),
-        Mutant(BrokenSizes::spansIn14Bits, "a primitive has at most 16,384 spans in a row", tensOfThousands),
+        Mutant(BrokenSizes::spansIn14Bits, "a primitive has at most 16,384 spans in a row", thousandsOfSpans),
         Mutant(BrokenSizes::blendsAMillionFragments, "a picture has at most a million translucent fragments", million),
         Mutant(BrokenSizes::keepsEightLayers, "an opaque fragment that comes late leaves at most eight layers", thin),
         Mutant(BrokenSizes::thirtyTwoLayers, "a sample takes at most 32 fragments", deep),
