@@ -37,9 +37,9 @@ internal class MtlMaterial(
  * Authors of libraries choose numbers by their appearance on a screen, so `Kd`, `Ks` and `Ke` are sRGB-encoded. `Kd`
  * multiplies the texture, except that a black `Kd` with a `map_Kd` is treated as white: programs that write it mean the
  * unchanged texture, and black would make it invisible. The highlight is `Ks` by the halfway vector with exponent `Ns`,
- * as `illum 2` defines it. `illum 0` means no lighting, and `illum 1` no highlight, as does `Ns 0`: a highlight with this
- * exponent would be equally bright everywhere, and programs write it for materials that are not glossy. `d` below 1
- * makes a translucent material. So does `Tr`, which is 1 - `d`. `d 0`, or `Tr 1` without a `d`, is treated as opaque,
+ * as `illum 2` defines it. `illum 0` means no lighting, and `illum 1` no highlight, as does `Ns 0`: a highlight with
+ * this exponent would be equally bright everywhere, and programs write it for materials that are not glossy. `d` below
+ * 1 makes a translucent material. So does `Tr`, which is 1 - `d`. `d 0`, or `Tr 1` without a `d`, is treated as opaque,
  * with a warning, because some programs write it for opaque materials. The alpha of a texture is used only if `map_d`
  * names the same file, and then as a mask. Another file of `map_d` is a mask, too: its alpha, or its grey if it has
  * none, placed like `map_Kd`.
