@@ -8,16 +8,20 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.floats
 import dev.lazyz.conformance.broken.gallery.RuleNames.manySpans
 import dev.lazyz.conformance.broken.gallery.RuleNames.million
 import dev.lazyz.conformance.broken.gallery.RuleNames.region
-import dev.lazyz.conformance.broken.gallery.RuleNames.thousandsOfSpans
 import dev.lazyz.conformance.broken.gallery.RuleNames.thin
 import dev.lazyz.conformance.broken.gallery.RuleNames.thousands
+import dev.lazyz.conformance.broken.gallery.RuleNames.thousandsOfSpans
 import dev.lazyz.conformance.broken.gallery.RuleNames.tiles
 import dev.lazyz.conformance.broken.gallery.RuleNames.together
 
 /** The gallery's part about features that work alone but not together. */
 internal object CombinationGallery {
     val mutants: List<Mutant> = listOf(
-        Mutant(BrokenCombinations::partsInSmallTiles, "parts that begin within a small tile lack a column", together, region),
+        Mutant(
+            BrokenCombinations::partsInSmallTiles,
+            "parts that begin within a small tile lack a column",
+            together, region,
+        ),
         Mutant(
             BrokenCombinations::noBlendingInRegions,
             "nothing is blended if the region is a part of the raster",
