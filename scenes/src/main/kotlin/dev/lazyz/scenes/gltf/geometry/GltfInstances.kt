@@ -20,11 +20,7 @@ internal class GltfInstances(private val document: GltfDocument, private val acc
             accessors.floats((attributes[name] as? Number)?.toInt(), "$where.$name", type)
         }
         val counts = used.map { (name, numbers) -> numbers.size / types.getValue(name).numComponents }.distinct()
-        if (counts.size >
-            1
-        ) {
-            document.fail(where, "there are ${counts.joinToString(" and ")} elements, not as many each")
-        }
+        if (counts.size > 1) document.fail(where, "the accessors have different lengths: ${counts.joinToString()}")
         val count = counts.firstOrNull() ?: return listOf(placed)
         if (placed.node.skin != null) {
             document.count("instances of meshes with a skin are left out", count - 1)

@@ -66,7 +66,7 @@ class GltfInstancesTest {
         val json = json(""""TRANSLATION":$moves,"SCALE":$scales""")
         val error = TestSources.error(GltfParser, TestSources.of(json))
         assertEquals("nodes[1].extensions.EXT_mesh_gpu_instancing.attributes", error.location)
-        assertTrue("2 and 1 elements" in error.message!!, error.message)
+        assertTrue("different lengths: 2, 1" in error.message!!, error.message)
     }
 
     @Test
