@@ -4,6 +4,7 @@ import com.sun.management.OperatingSystemMXBean
 import dev.lazyz.PixelHash
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
+import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadOptions
@@ -49,10 +50,14 @@ private fun seconds(work: () -> Unit): Double {
 }
 
 /** A picture of a built-in scene, with [factor] x [factor] samples a pixel. */
-private class Picture(val id: String, val factor: Int, val width: Int, val height: Int) {
-    val source = PictureSource { SuperSampling(factor).frame(Scenes.builtin(id)!!, Raster(width, height)) }
+private class Picture(val id: String, val factor: Int, val width: Int, val height: Int) : PictureSource {
+    override fun picture(): SampledFrame = SuperSampling(factor).frame(Scenes.builtin(id)!!, Raster(width, height))
 
     override fun toString(): String = "$id ${width}x$height aa=$factor"
+
+    private companion object {
+        const val serialVersionUID = 1L
+    }
 }
 
 private val pictures = listOf(
@@ -66,9 +71,9 @@ private val pictures = listOf(
 private fun processorTime() {
     val folder = Files.createTempDirectory("figures")
     for (each in pictures) {
-        val frame = each.source.picture()
+        val frame = each.picture()
         val renderer = Tiled(RenderOptions(threads = 2))
-        val picture = DistributedPicture(TestSpark.session, each.source)
+        val picture = DistributedPicture(TestSpark.session, each)
         val spark = ArrayList<Double>()
         val alone = ArrayList<Double>()
         repeat(3) { turn ->
