@@ -216,7 +216,7 @@ private class FaultDrill(private val spark: SparkSession, private val folder: Pa
             SortOrder.MIDDLE to SortedShading.EAGER,
         )) {
             val hash = PixelHash()
-            val details = killing(4000) {
+            val details = killing(2000) {
                 TrianglePicture(triangles, 1200, 900, seen, order, shading).render { _, argb, _, _ ->
                     hash.add(argb, 1200)
                 }
