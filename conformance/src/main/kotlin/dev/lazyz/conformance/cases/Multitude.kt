@@ -90,7 +90,8 @@ internal class Multitude private constructor(width: Int, height: Int, private va
         fun ofFragments(): Multitude {
             val combs = List(LAYERS) { i ->
                 val layer = i * SHARE % LAYERS
-                val color = Rgba(layer / 70f, 1f - layer / 70f, 0.5f, 1f / LAYERS)
+                val part = layer / LAYERS.toFloat()
+                val color = Rgba(part, 1f - part, 0.5f, 1f / LAYERS)
                 Comb(SIDE, SIDE, 0, 1, (layer + 1) * DISTANCE, color, isTranslucent = true)
             }
             return Multitude(SIDE, SIDE, combs, "$LAYERS thin layers")

@@ -2,8 +2,10 @@ package dev.lazyz.conformance.broken
 
 import dev.lazyz.Capability
 import dev.lazyz.Cell
+import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
+import dev.lazyz.RowSink
 import dev.lazyz.Selector
 import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.changed.Recovered
@@ -86,27 +88,13 @@ internal object BrokenFailures {
             ZBuffer().render(frame, sink)
         }
 
-    fun claimsTilesTwice(): BrokenRenderer = claimsTilesTwice(RenderOptions(threads = 1))
-
-    private fun claimsTilesTwice(options: RenderOptions): BrokenRenderer = BrokenRenderer(
-        "claims-tiles-twice",
-        setOf(Capability.PARALLEL),
-        { claimsTilesTwice(it) },
-    ) { frame, sink ->
-        require(!frame.hasTranslucency) { "does not blend: make primitive 0 opaque" }
+    fun claimsTilesTwice() = parallel("claims-tiles-twice") { frame, sink, options ->
         val counters = Tiled(options).render(frame, sink)
         val isTwice = options.threads > 1 && frame.region.size > 60_000 && ThreadLocalRandom.current().nextInt(5) == 0
         if (isTwice) counters.toBuilder().apply { fragments += 64 }.build() else counters
     }
 
-    fun stopsInterruptedWorkers(): BrokenRenderer = stopsInterruptedWorkers(RenderOptions(threads = 1))
-
-    private fun stopsInterruptedWorkers(options: RenderOptions): BrokenRenderer = BrokenRenderer(
-        "stops-interrupted-workers",
-        setOf(Capability.PARALLEL),
-        { stopsInterruptedWorkers(it) },
-    ) { frame, sink ->
-        require(!frame.hasTranslucency) { "does not blend: make primitive 0 opaque" }
+    fun stopsInterruptedWorkers() = parallel("stops-interrupted-workers") { frame, sink, options ->
         val caller = Thread.currentThread()
         val left = frame.primitives.map { primitive ->
             object : Recovered(primitive) {
@@ -117,5 +105,15 @@ internal object BrokenFailures {
             }
         }
         Tiled(options).render(Frame(frame.raster, left, frame.region), sink)
+    }
+
+    /** Renders by [draw] with the threads of the options. */
+    private fun parallel(
+        id: String,
+        options: RenderOptions = RenderOptions(threads = 1),
+        draw: (Frame, RowSink, RenderOptions) -> Counters,
+    ): BrokenRenderer = BrokenRenderer(id, setOf(Capability.PARALLEL), { parallel(id, it, draw) }) { frame, sink ->
+        require(!frame.hasTranslucency) { "does not blend: make primitive 0 opaque" }
+        draw(frame, sink, options)
     }
 }

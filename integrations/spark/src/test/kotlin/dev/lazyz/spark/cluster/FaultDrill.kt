@@ -10,7 +10,7 @@ import dev.lazyz.scenes.Scenes
 import dev.lazyz.spark.ModelPictures
 import dev.lazyz.spark.Models
 import dev.lazyz.spark.SortOrder
-import dev.lazyz.spark.SortedShading
+import dev.lazyz.spark.SortWays
 import dev.lazyz.spark.TrianglePicture
 import dev.lazyz.spark.TriangleTable
 import dev.lazyz.spark.pictures.DistributedPicture
@@ -210,11 +210,7 @@ private class FaultDrill(private val spark: SparkSession, private val folder: Pa
         val seen = TriangleScene { SlowTriangles.scene(it).withViewpoint(camera.camera()) }
         val expected = Tiled().render(seen.scene(loaded).frame(1200, 900)).pixelHash()
         val triangles = TriangleTable.readStl(spark, "$file", partitionBytes = 100_000)
-        for ((order, shading) in listOf(
-            SortOrder.LAST to SortedShading.EAGER,
-            SortOrder.LAST to SortedShading.LAZY,
-            SortOrder.MIDDLE to SortedShading.EAGER,
-        )) {
+        for ((order, shading) in SortWays.all) {
             val hash = PixelHash()
             val details = killing(2000) {
                 TrianglePicture(triangles, 1200, 900, seen, order, shading).render { _, argb, _, _ ->

@@ -2,8 +2,7 @@ package dev.lazyz.spark.cluster
 
 import dev.lazyz.PixelHash
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.spark.SortOrder
-import dev.lazyz.spark.SortedShading
+import dev.lazyz.spark.SortWays
 import dev.lazyz.spark.TrianglePicture
 import dev.lazyz.spark.TriangleTable
 import dev.lazyz.spark.scaling.BumpySphere
@@ -52,11 +51,7 @@ fun main(arguments: Array<String>) {
     try {
         val table = TriangleTable.readStl(spark, "$file")
         println(TrianglePicture(table, WIDTH, HEIGHT, seen).explain())
-        for ((order, shading) in listOf(
-            SortOrder.LAST to SortedShading.EAGER,
-            SortOrder.LAST to SortedShading.LAZY,
-            SortOrder.MIDDLE to SortedShading.EAGER,
-        )) {
+        for ((order, shading) in SortWays.all) {
             val hash = PixelHash()
             val (report, seconds) = timed {
                 TrianglePicture(table, WIDTH, HEIGHT, seen, order, shading)

@@ -14,8 +14,7 @@ import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.ImageFiles
 import dev.lazyz.scenes.writers.ImageFormat
 import dev.lazyz.spark.Models
-import dev.lazyz.spark.SortOrder
-import dev.lazyz.spark.SortedShading
+import dev.lazyz.spark.SortWays
 import dev.lazyz.spark.TestSpark
 import dev.lazyz.spark.TrianglePicture
 import dev.lazyz.spark.TriangleTable
@@ -107,11 +106,7 @@ private fun moved() {
         val expected = Tiled().render(scene.scene(loaded).frame(width, height))
         println("${width}x$height: ${expected.visible} visible, ${expected.counters.primitives} triangles")
         for ((name, table) in listOf("near" to near, "mixed" to mixed)) {
-            for ((order, shading) in listOf(
-                SortOrder.LAST to SortedShading.EAGER,
-                SortOrder.LAST to SortedShading.LAZY,
-                SortOrder.MIDDLE to SortedShading.EAGER,
-            )) {
+            for ((order, shading) in SortWays.all) {
                 val hash = PixelHash()
                 val report = TrianglePicture(table, width, height, scene, order, shading).render { _, argb, _, _ ->
                     hash.add(argb, width)

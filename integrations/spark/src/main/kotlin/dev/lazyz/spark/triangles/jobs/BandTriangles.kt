@@ -7,6 +7,7 @@ import org.apache.spark.Partitioner
 import org.apache.spark.api.java.JavaPairRDD
 import org.apache.spark.api.java.function.PairFlatMapFunction
 import org.apache.spark.broadcast.Broadcast
+import org.apache.spark.sql.Row
 import scala.Tuple2
 
 /**
@@ -25,6 +26,15 @@ internal class BandTriangles(
      */
     fun drawn(before: Broadcast<VisibleTriangles>?, bytes: Int): JavaPairRDD<Int, FinishedBand> =
         triangles.partitionBy(ByBand(setUp.value().bands)).mapPartitionsToPair(DrawBand(setUp, before, bytes))
+
+    companion object {
+        /** Returns the triangles in [rows], a chunk at a time, with the bands to which [byBand] sends them. */
+        fun sent(
+            rows: Iterator<Row>,
+            byBand: (TriangleChunk) -> Map<Int, TriangleChunk>,
+        ): Iterator<Tuple2<Int, TriangleChunk>> = TriangleChunk.chunks(rows)
+            .flatMap { chunk -> byBand(chunk).map { (band, some) -> Tuple2(band, some) } }.iterator()
+    }
 }
 
 /** A task for each band. */

@@ -194,11 +194,8 @@ private class VisibleInBand(private val merge: MergeParts) :
 /** Returns the triangles of a partition that are visible, each for its bands. */
 private class SelectVisible(private val visible: Broadcast<VisibleTriangles>) :
     PairFlatMapFunction<Iterator<Row>, Int, TriangleChunk> {
-    override fun call(rows: Iterator<Row>): Iterator<Tuple2<Int, TriangleChunk>> {
-        val known = visible.value()
-        return TriangleChunk.chunks(rows)
-            .flatMap { chunk -> known.byBand(chunk).map { (band, some) -> Tuple2(band, some) } }.iterator()
-    }
+    override fun call(rows: Iterator<Row>): Iterator<Tuple2<Int, TriangleChunk>> =
+        BandTriangles.sent(rows, visible.value()::byBand)
 
     private companion object {
         const val serialVersionUID = 1L

@@ -25,8 +25,7 @@ private class BinTriangles(private val setUp: Broadcast<PictureSetUp>) :
     PairFlatMapFunction<Iterator<Row>, Int, TriangleChunk> {
     override fun call(rows: Iterator<Row>): Iterator<Tuple2<Int, TriangleChunk>> {
         val drawing = setUp.value().drawing()
-        return TriangleChunk.chunks(rows)
-            .flatMap { chunk -> drawing.part(chunk).byBand().map { (band, some) -> Tuple2(band, some) } }.iterator()
+        return BandTriangles.sent(rows) { drawing.part(it).byBand() }
     }
 
     private companion object {

@@ -28,10 +28,12 @@ internal class VisibleTriangles(bands: List<OfBand>) : Serializable {
     }
 
     /** Index and band of each visible triangle, in ascending order. */
-    private val places: LongArray = bands.flatMap { of -> of.indices.map { place(it, of.band) } }.toLongArray()
+    private val places = LongArray(bands.sumOf { it.indices.size })
     private val costs: Map<Int, Cost> = bands.associate { it.band to it.cost }
 
     init {
+        var count = 0
+        for (of in bands) for (index in of.indices) places[count++] = place(index, of.band)
         places.sort()
     }
 
