@@ -65,8 +65,10 @@ internal class Source(
         content = null
     }
 
+    /** Adds a warning, unless it is there already: some files are read twice. */
     fun warn(sentence: String) {
-        warnings.add(printable("$name: $sentence"))
+        val warning = printable("$name: $sentence")
+        if (warning !in warnings) warnings.add(warning)
     }
 
     fun fail(location: String?, problem: String, remedy: String? = null, cause: Throwable? = null): Nothing =

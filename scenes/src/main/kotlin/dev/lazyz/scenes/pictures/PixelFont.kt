@@ -1,8 +1,11 @@
 package dev.lazyz.scenes.pictures
 
+import java.text.Normalizer
+
 /**
- * Letters made of pixels for labels in pictures: the printable characters of ASCII, 5 columns wide; others are drawn as
- * `?`. Fonts of the machine would give other pictures on other machines. Immutable and thread safe.
+ * Letters made of pixels for labels in pictures: the printable characters of ASCII, 5 columns wide. Letters with accents
+ * are drawn without them, and other characters as `?`. Fonts of the machine would give other pictures on other machines.
+ * Immutable and thread safe.
  */
 public object PixelFont {
     /** Columns of a letter, with the empty one that follows. */
@@ -27,10 +30,16 @@ public object PixelFont {
      */
     @JvmStatic
     public fun isSet(text: String, column: Int, row: Int): Boolean {
-        val letter = text[column / ADVANCE].takeIf { it in FIRST..LAST } ?: '?'
-        val number = letter - FIRST
+        val number = known(text[column / ADVANCE]) - FIRST
         val strip = strips[number / LETTERS_OF_STRIP]
         return strip[row].getOrElse(number % LETTERS_OF_STRIP * ADVANCE + column % ADVANCE) { ' ' } == '#'
+    }
+
+    /** Returns the letter to draw for [letter]: itself, or it without accents, or `?`. */
+    private fun known(letter: Char): Char {
+        if (letter in FIRST..LAST) return letter
+        val base = Normalizer.normalize(letter.toString(), Normalizer.Form.NFD)[0]
+        return if (base in FIRST..LAST) base else '?'
     }
 
     /** The letters in the order of their codes, 16 to a strip. */

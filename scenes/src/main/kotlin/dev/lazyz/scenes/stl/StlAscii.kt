@@ -12,7 +12,8 @@ import org.joml.Vector3dc
 /**
  * Reads the ASCII form: any number of solids, each a sequence of facets. Line breaks can be anywhere; only a solid's
  * name ends at one. A word that begins with `#` begins a comment, which ends with the line. The format allows three
- * vertices in a loop. Some programs write more; such a loop is triangulated.
+ * vertices in a loop. Some programs write more; such a loop is triangulated. A missing `endsolid` at the end of the file
+ * is reported as a warning.
  *
  * @param origin the point to subtract from all positions
  * @param lines the text
@@ -49,10 +50,13 @@ internal class StlAscii(
         (lines.wordStart until lines.wordEnd).all { lines.bytes[it] == NULL || lines.bytes[it] == END_OF_FILE }
 
     private fun solid(solid: CornerSink) {
+        var hasFacets = false
         while (true) {
+            if (hasFacets && !advance()) return source.warn("endsolid is missing at the end; all facets are read")
             take("facet or endsolid")
             if (lines.isWord("facet")) {
                 facet(solid)
+                hasFacets = true
             } else if (lines.isWord("endsolid")) {
                 lines.endLine()
                 return

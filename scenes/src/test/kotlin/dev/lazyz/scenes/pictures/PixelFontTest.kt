@@ -14,6 +14,11 @@ class PixelFontTest {
     }
 
     @Test
+    fun accentsAreNotDrawn() {
+        assertEquals(pixels("Curaca"), pixels("C\u00fcra\u00e7\u00e3"))
+    }
+
+    @Test
     fun lettersFollowEachOther() {
         assertEquals(listOf(0, 5, 11), listOf("", "A", "AB").map { PixelFont.width(it) })
         assertEquals(

@@ -51,6 +51,16 @@ class StlParserTest {
     }
 
     @Test
+    fun endsolidMayBeMissingAtTheEnd() {
+        val far = FloatArray(9) { corner[it] + 1e6f }
+        for (facet in listOf(corner, far)) {
+            val source = TestSources.of(ascii(facet).substringBefore("endsolid"))
+            assertEquals(1, StlParser.parse(source).meshes.single().triangleCount)
+            assertTrue(source.warnings.single().contains("endsolid is missing"), source.warnings.toString())
+        }
+    }
+
+    @Test
     fun farFromTheOriginNoDetailOfTextIsLost() {
         val text = "solid far\n facet normal 0 0 1\n outer loop\n vertex 500123.001 4649776.002 3.125\n" +
             " vertex 500124.001 4649776.002 3\n vertex 500124.001 4649777.503 3\n endloop\n endfacet\nendsolid far\n"

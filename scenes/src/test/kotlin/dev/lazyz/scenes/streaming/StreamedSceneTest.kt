@@ -196,7 +196,7 @@ class StreamedSceneTest {
         assertRefused("byte 50", "ends within the header")
         file.writeText("solid x\nfacet normal 0 0 1\nouter loop\nvertex 1 2 three\n")
         assertRefused("line 4", "three")
-        file.writeText(ascii(terrain(5).take(3)).dropLast(16))
+        file.writeText(ascii(terrain(5).take(3)).substringBeforeLast("endfacet"))
         assertRefused("the file ends where")
         file.writeBytes(byteArrayOf(-1, -2) + "solid".toByteArray(Charsets.UTF_16LE))
         assertRefused("byte order mark")
@@ -204,6 +204,15 @@ class StreamedSceneTest {
         off.writeText("OFF\n0 0 0\n")
         val refused = assertThrows(SceneFormatException::class.java) { Scenes.stream(off, spool = spool) }
         assertTrue("only STL, PLY and OBJ can" in refused.message!!, refused.message)
+    }
+
+    @Test
+    fun endsolidMayBeMissingAtTheEnd() {
+        file.writeText(ascii(terrain(5)).substringBeforeLast("endsolid"))
+        stream().use { streamed ->
+            val warnings = streamed.loaded.warnings
+            assertTrue("endsolid is missing" in warnings.single(), warnings.toString())
+        }
     }
 
     @Test
