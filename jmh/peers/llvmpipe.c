@@ -1,12 +1,13 @@
 /*
  * Draws a file of triangles with OpenGL 3.3 on Mesa's llvmpipe, without a display, and prints one line of JSON.
  *
- *   llvmpipe FILE [--side N] [--warm-up SECONDS] [--measure SECONDS] [--frames N] [--visibility] [--read-back]
+ *   llvmpipe FILE [--side N] [--samples N] [--warm-up SECONDS] [--measure SECONDS] [--frames N] [--visibility] [--read-back]
  *            [--picture FILE]
  *
  * A frame clears, draws all triangles and waits until they are drawn (glFinish); colours stay linear. Times are
  * milliseconds of wall clock. --visibility draws triangle numbers first and runs the fragment shader once a sample.
- * --read-back also copies the picture to the program's memory, each frame. --frames draws so many frames and no warm-up.
+ * --samples draws with at least so many samples a pixel, or as many as llvmpipe has, and averages them; the fragment
+ * shader runs once a pixel. --read-back also copies the picture to the program's memory, each frame. --frames draws so many frames and no warm-up.
  * --picture draws one frame into an sRGB target and writes it: red, green, blue, alpha, a byte each, rows from the top.
  *
  * Set LP_NUM_THREADS. The file's format is that of Triangles.write.
@@ -22,7 +23,8 @@
 #include <string.h>
 #include <time.h>
 
-enum { FLAT, SMOOTH, ROUNDS };
+enum { FLAT, SMOOTH, ROUNDS, LIT };
+enum { LIGHTS = 2 };
 enum { LEAST_FRAMES = 5, MOST_FRAMES = 65536 };
 
 struct vertex {
@@ -36,17 +38,27 @@ struct header {
     float to_clip[16];
 };
 
+/* Of lit triangles: the eye, or if eye_is_point is 0 the direction to it; lights, with the direction of travel. */
+struct light {
+    float eye[3], eye_is_point, ambient[3];
+    struct {
+        float direction[3], color[3];
+    } lights[LIGHTS];
+};
+
 struct options {
     const char *file, *picture;
-    int side, frames, visibility, read_back;
+    int side, samples, frames, visibility, read_back;
     double warm_up, measure;
 };
 
 static struct header header;
 static struct vertex *vertices;
 static uint32_t *indices;
-static struct options options = {.side = 1024, .warm_up = 1.5, .measure = 4};
-static GLuint target, ids, program, id_program, resolve_program;
+static float (*normals)[3];
+static struct light light;
+static struct options options = {.side = 1024, .samples = 1, .warm_up = 1.5, .measure = 4};
+static GLuint target, resolved, ids, program, id_program, resolve_program;
 static uint8_t *pixels;
 
 static void fail(const char *what) {
@@ -79,6 +91,23 @@ static const char *COLOR_SHADER =
     "VARYING in vec4 varying_color; out vec4 color;\n"
     "void main() { color = varying_color; }\n";
 
+static const char *LIT_VERTEX_SHADER =
+    "layout(location = 0) in vec3 position; layout(location = 1) in vec4 color; layout(location = 2) in vec3 normal;\n"
+    "uniform mat4 to_clip; out vec3 varying_position, varying_normal; out vec4 varying_color;\n"
+    "void main() { gl_Position = to_clip * vec4(position, 1.0);\n"
+    " varying_position = position; varying_normal = normal; varying_color = color; }\n";
+
+/* Rule 6.5 of the contract without highlights. The normal is on the side from which the triangle is seen. */
+static const char *LIT_SHADER =
+    "in vec3 varying_position, varying_normal; in vec4 varying_color; out vec4 color;\n"
+    "uniform vec4 eye; uniform vec3 ambient, directions[LIGHTS], colors[LIGHTS];\n"
+    "void main() {\n"
+    " vec3 n = normalize(varying_normal); if (!gl_FrontFacing) n = -n;\n"
+    " vec3 v = normalize(eye.xyz - eye.w * varying_position); if (dot(n, n) == 0.0) n = v;\n"
+    " vec3 sum = ambient;\n"
+    " for (int i = 0; i < LIGHTS; i++) sum += max(dot(n, -directions[i]), 0.0) * colors[i];\n"
+    " color = vec4(varying_color.rgb * sum, 1.0); }\n";
+
 static const char *ROUNDS_SHADER =
     "VARYING in vec4 varying_color; out vec4 color;\n" ROUNDS_FORMULA
     "void main() { color = rounds(varying_color.rgb); }\n";
@@ -108,8 +137,8 @@ static const char *RESOLVE_SHADER =
 static GLuint shader(GLenum stage, const char *text) {
     const char *varying = header.coloring == FLAT ? "flat" : header.perspective ? "smooth" : "noperspective";
     char prologue[256];
-    snprintf(prologue, sizeof prologue, "#version 330 core\n#define VARYING %s\n#define RESULT %s\n", varying,
-             header.coloring == ROUNDS ? "rounds(c.rgb)" : "c");
+    snprintf(prologue, sizeof prologue, "#version 330 core\n#define VARYING %s\n#define RESULT %s\n#define LIGHTS %d\n", varying,
+             header.coloring == ROUNDS ? "rounds(c.rgb)" : "c", LIGHTS);
     const char *parts[] = {prologue, text};
     GLuint name = glCreateShader(stage);
     glShaderSource(name, 2, parts, NULL);
@@ -156,6 +185,13 @@ static void read_triangles(void) {
         fread(indices, sizeof *indices, header.indices, in) != (size_t)header.indices) {
         fail("the file of triangles is too short");
     }
+    if (header.coloring == LIT) {
+        normals = allocate(sizeof *normals * header.vertices);
+        if (fread(normals, sizeof *normals, header.vertices, in) != (size_t)header.vertices ||
+            fread(&light, sizeof light, 1, in) != 1) {
+            fail("the file of triangles is too short");
+        }
+    }
     fclose(in);
 }
 
@@ -179,36 +215,51 @@ static void create_context(void) {
 }
 
 static void upload_triangles(void) {
-    GLuint names[3];
+    GLuint names[4];
     glGenVertexArrays(1, &names[0]);
     glBindVertexArray(names[0]);
-    glGenBuffers(2, &names[1]);
+    glGenBuffers(3, &names[1]);
     glBindBuffer(GL_ARRAY_BUFFER, names[1]);
     glBufferData(GL_ARRAY_BUFFER, sizeof *vertices * header.vertices, vertices, GL_STATIC_DRAW);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof *vertices, NULL);
     glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof *vertices, (void *)sizeof(float[3]));
     glEnableVertexAttribArray(0);
     glEnableVertexAttribArray(1);
+    if (normals) {
+        glBindBuffer(GL_ARRAY_BUFFER, names[3]);
+        glBufferData(GL_ARRAY_BUFFER, sizeof *normals * header.vertices, normals, GL_STATIC_DRAW);
+        glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, 0, NULL);
+        glEnableVertexAttribArray(2);
+    }
     if (header.indices) {
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, names[2]);
         glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof *indices * header.indices, indices, GL_STATIC_DRAW);
     }
 }
 
-static GLuint renderbuffer(GLenum format, GLenum attachment) {
+static GLuint renderbuffer(GLenum format, GLenum attachment, int samples) {
     GLuint name;
     glGenRenderbuffers(1, &name);
     glBindRenderbuffer(GL_RENDERBUFFER, name);
-    glRenderbufferStorage(GL_RENDERBUFFER, format, options.side, options.side);
+    /* 0 samples: no multisampling */
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, options.side, options.side);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, name);
     return name;
 }
 
 static void create_targets(void) {
+    GLenum format = options.picture ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    if (options.samples > most) options.samples = most;
+    int samples = options.samples > 1 ? options.samples : 0;
+    glGenFramebuffers(1, &resolved);
+    glBindFramebuffer(GL_FRAMEBUFFER, resolved);
+    renderbuffer(format, GL_COLOR_ATTACHMENT0, 0);
     glGenFramebuffers(1, &target);
     glBindFramebuffer(GL_FRAMEBUFFER, target);
-    renderbuffer(options.picture ? GL_SRGB8_ALPHA8 : GL_RGBA8, GL_COLOR_ATTACHMENT0);
-    GLuint depth = renderbuffer(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
+    renderbuffer(format, GL_COLOR_ATTACHMENT0, samples);
+    GLuint depth = renderbuffer(GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT, samples);
     if (options.visibility) {
         GLuint texture;
         glGenTextures(1, &texture);
@@ -262,6 +313,18 @@ static void create_visibility(void) {
     free(colors);
 }
 
+static void set_light(void) {
+    glUniform4f(glGetUniformLocation(program, "eye"), light.eye[0], light.eye[1], light.eye[2], light.eye_is_point);
+    glUniform3fv(glGetUniformLocation(program, "ambient"), 1, light.ambient);
+    for (int i = 0; i < LIGHTS; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "directions[%d]", i);
+        glUniform3fv(glGetUniformLocation(program, name), 1, light.lights[i].direction);
+        snprintf(name, sizeof name, "colors[%d]", i);
+        glUniform3fv(glGetUniformLocation(program, name), 1, light.lights[i].color);
+    }
+}
+
 static void draw_triangles(GLuint with) {
     glUseProgram(with);
     if (header.indices) {
@@ -288,6 +351,13 @@ static double frame(void) {
         glBindFramebuffer(GL_FRAMEBUFFER, target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         draw_triangles(program);
+        if (options.samples > 1) {
+            glBindFramebuffer(GL_READ_FRAMEBUFFER, target);
+            glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved);
+            glBlitFramebuffer(0, 0, options.side, options.side, 0, 0, options.side, options.side, GL_COLOR_BUFFER_BIT,
+                              GL_NEAREST);
+            glBindFramebuffer(GL_FRAMEBUFFER, resolved);
+        }
     }
     if (options.read_back) glReadPixels(0, 0, options.side, options.side, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
     glFinish();
@@ -297,7 +367,6 @@ static double frame(void) {
 static long write_picture(void) {
     glEnable(GL_FRAMEBUFFER_SRGB);
     frame();
-    glBindFramebuffer(GL_FRAMEBUFFER, target);
     glReadPixels(0, 0, options.side, options.side, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
     FILE *out = fopen(options.picture, "wb");
     if (!out) fail("the picture cannot be written");
@@ -330,9 +399,9 @@ static void measure(void) {
         while (count < MOST_FRAMES && (count < LEAST_FRAMES || now_ms() < end)) times[count++] = frame();
     }
     qsort(times, count, sizeof *times, ascending);
-    printf("{\"median\":%.4f,\"q1\":%.4f,\"q3\":%.4f,\"min\":%.4f,\"max\":%.4f,\"first\":%.2f,\"frames\":%d,"
+    printf("{\"median\":%.4f,\"q1\":%.4f,\"q3\":%.4f,\"min\":%.4f,\"max\":%.4f,\"first\":%.2f,\"frames\":%d,\"samples\":%d,"
            "\"version\":\"%s\",\"renderer\":\"%s\"}\n",
-           times[count / 2], times[count / 4], times[3 * count / 4], times[0], times[count - 1], first, count,
+           times[count / 2], times[count / 4], times[3 * count / 4], times[0], times[count - 1], first, count, options.samples,
            glGetString(GL_VERSION), glGetString(GL_RENDERER));
 }
 
@@ -348,6 +417,7 @@ static void read_options(int count, char **arguments) {
         } else {
             const char *value = ++i < count ? arguments[i] : "";
             if (!strcmp(name, "--side")) options.side = atoi(value);
+            else if (!strcmp(name, "--samples")) options.samples = atoi(value);
             else if (!strcmp(name, "--frames")) options.frames = atoi(value);
             else if (!strcmp(name, "--warm-up")) options.warm_up = atof(value);
             else if (!strcmp(name, "--measure")) options.measure = atof(value);
@@ -355,7 +425,9 @@ static void read_options(int count, char **arguments) {
             else fail("no such option");
         }
     }
-    if (!options.file || options.side < 1) fail("give a file of triangles, and a side above 0");
+    if (!options.file || options.side < 1 || options.samples < 1) {
+        fail("give a file of triangles, and a side and samples above 0");
+    }
 }
 
 int main(int count, char **arguments) {
@@ -364,7 +436,12 @@ int main(int count, char **arguments) {
     create_context();
     upload_triangles();
     create_targets();
-    program = link_program(VERTEX_SHADER, header.coloring == ROUNDS ? ROUNDS_SHADER : COLOR_SHADER);
+    if (header.coloring == LIT) {
+        program = link_program(LIT_VERTEX_SHADER, LIT_SHADER);
+        set_light();
+    } else {
+        program = link_program(VERTEX_SHADER, header.coloring == ROUNDS ? ROUNDS_SHADER : COLOR_SHADER);
+    }
     if (options.visibility) create_visibility();
     pixels = allocate(4 * (size_t)options.side * options.side);
     glViewport(0, 0, options.side, options.side);

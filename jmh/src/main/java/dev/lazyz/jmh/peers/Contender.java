@@ -14,6 +14,9 @@ import java.util.List;
  * @param command its command line, without options
  */
 record Contender(String name, Kind kind, List<String> command) {
+    /** Ends the name of one that shades once a pixel. */
+    static final String PIXELS = ", once a pixel";
+
     /** Kinds of programs. */
     enum Kind {
         /** {@code llvmpipe.c}. */
@@ -45,15 +48,23 @@ record Contender(String name, Kind kind, List<String> command) {
         return new Contender(text.substring(0, at), kind, command);
     }
 
+    /** Returns Lazy Z that shades a primitive once a pixel and not once a sample, as OpenGL does. */
+    Contender shadingPixels() {
+        List<String> words = new ArrayList<>(command);
+        words.addAll(List.of("--rate", "pixel"));
+        return new Contender(name + PIXELS, kind, words);
+    }
+
     /** Whether this program can draw the triangles with this number of threads. */
     boolean canDraw(Triangles triangles, boolean isPerspective, int threads) {
         boolean isExpensive = triangles.coloring() == Coloring.ROUNDS;
+        boolean isPlain = !isExpensive && triangles.coloring() != Coloring.LIT;
         return switch (kind) {
             case LLVMPIPE, OURS -> true;
             case LLVMPIPE_VISIBILITY -> isExpensive && !isPerspective;
-            case EUC -> threads == 1 && !isPerspective;
-            case VTK -> !isExpensive;
-            case JMOL -> threads == 1 && !isExpensive && !isPerspective;
+            case EUC -> threads == 1 && (isPlain || isExpensive) && !isPerspective;
+            case VTK -> isPlain;
+            case JMOL -> threads == 1 && isPlain && !isPerspective;
         };
     }
 
@@ -67,8 +78,11 @@ record Contender(String name, Kind kind, List<String> command) {
         return kind != Kind.VTK && kind != Kind.JMOL;
     }
 
-    /** Returns the command line that draws a scene. Lazy Z gets the scene's name, other programs get the file. */
-    List<String> drawing(String scene, String file, int side, int threads) {
+    /**
+     * Returns the command line that draws a scene with {@code samples} x {@code samples} samples a pixel. Lazy Z gets the
+     * scene's name, other programs get the file; of them, only llvmpipe can draw more than one sample.
+     */
+    List<String> drawing(String scene, String file, int side, int samples, int threads) {
         List<String> words = new ArrayList<>(command);
         if (kind == Kind.OURS) {
             words.addAll(List.of("--scene", scene, "--threads", Integer.toString(threads)));
@@ -76,6 +90,9 @@ record Contender(String name, Kind kind, List<String> command) {
             words.add(file);
         }
         words.addAll(List.of("--side", Integer.toString(side)));
+        if (samples > 1) {
+            words.addAll(List.of("--samples", Integer.toString(kind == Kind.OURS ? samples : samples * samples)));
+        }
         if (kind == Kind.LLVMPIPE_VISIBILITY) {
             words.add("--visibility");
         }

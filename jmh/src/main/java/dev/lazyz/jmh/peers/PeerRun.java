@@ -8,6 +8,9 @@ import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
 import dev.lazyz.Rgba;
 import dev.lazyz.RowSink;
+import dev.lazyz.filter.PixelFilter;
+import dev.lazyz.filter.ShadingRate;
+import dev.lazyz.filter.SuperSampling;
 import dev.lazyz.jmh.report.JsonRecords;
 import dev.lazyz.jmh.report.Options;
 import dev.lazyz.jmh.workload.SteadyState;
@@ -20,24 +23,26 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Set;
 
 /**
  * Renders one scene repeatedly, like the programs of other renderers, and prints one line of JSON with the results.
  *
- * <p>A frame is the work from a scene in memory to its rows: {@code scene.frame(raster)}, which transforms the
- * vertices and sets up all primitives, and a rendering into a sink that discards the rows. Only the renderer is kept
+ * <p>A frame is the work from a scene in memory to its rows: transforming the vertices and setting up all primitives,
+ * as {@code scene.frame(raster)} does, and a rendering into a sink that discards the rows. Only the renderer is kept
  * between frames. Times are wall-clock milliseconds in steady state: they are measured after a warm-up that continues
  * until Java's compilers have been idle for two seconds, but at most for eight times its length.
  */
 public final class PeerRun {
     private static final Set<String> OPTIONS =
-            Set.of("scene", "side", "threads", "strategy", "warm-up", "measure", "picture");
+            Set.of("scene", "side", "threads", "strategy", "samples", "rate", "warm-up", "measure", "picture");
 
     /** Minimum number of measured frames, however long they take. */
     private static final int LEAST_FRAMES = 5;
 
     private final Scene scene;
+    private final SuperSampling sampling;
     private final Raster raster;
     private final Renderer renderer;
     private volatile int seen;
@@ -49,8 +54,9 @@ public final class PeerRun {
     /** Number of samples of a picture in which something is visible, and the picture's hash. */
     private record Written(long covered, String hash) {}
 
-    private PeerRun(Scene scene, int side, Renderer renderer) {
+    private PeerRun(Scene scene, SuperSampling sampling, int side, Renderer renderer) {
         this.scene = scene;
+        this.sampling = sampling;
         this.raster = new Raster(side, side, Rgba.TRANSPARENT);
         this.renderer = renderer;
     }
@@ -66,6 +72,10 @@ public final class PeerRun {
         int threads = Integer.parseInt(options.get("threads", "1"));
         PeerRun run = new PeerRun(
                 TriangleSource.find(options.get("scene", "S1")).scene(),
+                new SuperSampling(
+                        Integer.parseInt(options.get("samples", "1")),
+                        PixelFilter.BOX,
+                        ShadingRate.valueOf(options.get("rate", "sample").toUpperCase(Locale.ROOT))),
                 Integer.parseInt(options.get("side", "1024")),
                 found.configured(new RenderOptions().withThreads(threads)));
         String picture = options.get("picture", "");
@@ -107,9 +117,13 @@ public final class PeerRun {
                 Runtime.version().toString());
     }
 
+    private Counters render(RowSink sink) throws InterruptedException, IOException {
+        return sampling.frame(scene, raster).render(renderer, sink);
+    }
+
     private double frame() throws InterruptedException, IOException {
         long start = System.nanoTime();
-        Counters counters = renderer.render(scene.frame(raster), (y, argb, depth, primitive) -> seen = argb[0]);
+        Counters counters = render((y, argb, depth, primitive) -> seen = argb[0]);
         if (counters.getPrimitives() == 0) {
             throw new IllegalStateException("nothing was rendered");
         }
@@ -139,7 +153,7 @@ public final class PeerRun {
                     throw new UncheckedIOException(e);
                 }
             };
-            renderer.render(scene.frame(raster), sink);
+            render(sink);
         }
         return new Written(covered[0], hash.digest());
     }

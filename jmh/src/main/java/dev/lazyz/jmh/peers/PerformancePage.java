@@ -67,7 +67,9 @@ public final class PerformancePage {
             case "pictures" -> pictures();
             case "compared" -> times(PerformancePage::isCompared);
             case "others" -> times(PerformancePage::isOther);
-            case "meshes" -> meshes();
+            case "meshes" -> rows("mesh, 1 thread", PerformancePage::isMesh);
+            case "lit" -> rows("scene, 1 thread", time -> isLit(time) && time.samples() == 1);
+            case "smooth" -> smooth();
             case "gain" -> gain();
             case "starts" -> starts();
             // Written by dev.lazyz.jmh.jobs.Jobs
@@ -83,18 +85,23 @@ public final class PerformancePage {
 
     /** Whether a time belongs to a mesh file. */
     static boolean isMesh(Results.Time time) {
-        return time.scene().contains(".");
+        return time.scene().contains(".") && !isLit(time);
     }
 
-    /** Whether a time belongs to a scene other than S1 to S6 and mesh files. */
+    /** Whether a time belongs to a scene or file whose light is computed when it is rendered. */
+    static boolean isLit(Results.Time time) {
+        return time.scene().endsWith(TriangleSource.LIT_LABEL);
+    }
+
+    /** Whether a time belongs to a scene with baked light other than S1 to S6 and mesh files. */
     static boolean isOther(Results.Time time) {
-        return !isCompared(time) && !isMesh(time);
+        return !isCompared(time) && !isMesh(time) && !isLit(time);
     }
 
     /** Returns the figures that matter, all with one thread: each scene at the main size, mesh files, processes. */
     private String summary() {
         List<Results.Time> times = results.times().stream()
-                .filter(time -> time.side() == SIDE && time.threads() == 1 && !isMesh(time))
+                .filter(time -> time.side() == SIDE && time.threads() == 1 && (isCompared(time) || isOther(time)))
                 .toList();
         List<List<String>> rows = new ArrayList<>();
         for (String scene : distinct(times.stream().map(Results.Time::scene).toList())) {
@@ -229,13 +236,12 @@ public final class PerformancePage {
         return text.toString();
     }
 
-    /** Returns a table with a row for each mesh and raster, and a column for each renderer. */
-    private String meshes() {
-        List<Results.Time> all =
-                results.times().stream().filter(PerformancePage::isMesh).toList();
+    /** Returns a table with a row for each scene and raster, and a column for each renderer. */
+    private String rows(String title, Predicate<Results.Time> which) {
+        List<Results.Time> all = results.times().stream().filter(which).toList();
         List<String> contenders =
                 distinct(all.stream().map(Results.Time::contender).toList());
-        List<String> head = new ArrayList<>(List.of("mesh, 1 thread", "raster"));
+        List<String> head = new ArrayList<>(List.of(title, "raster"));
         head.addAll(contenders);
         List<List<String>> rows = new ArrayList<>();
         for (String scene : distinct(all.stream().map(Results.Time::scene).toList())) {
@@ -250,6 +256,45 @@ public final class PerformancePage {
                 contenders.forEach(contender -> row.add(cell(times, scene, contender)));
                 rows.add(row);
             }
+        }
+        return GeneratedPage.table(head, rows);
+    }
+
+    /**
+     * Returns a table of anti-aliased pictures with a row for each scene and raster: the time of each renderer, how many
+     * times faster than the base it is, and how many times as long as its picture with one sample a pixel takes.
+     */
+    private String smooth() {
+        List<Results.Time> all =
+                results.times().stream().filter(time -> time.samples() > 1).toList();
+        List<String> contenders =
+                distinct(all.stream().map(Results.Time::contender).toList());
+        List<String> head = new ArrayList<>(List.of("scene, 1 thread", "raster"));
+        head.addAll(contenders);
+        List<List<String>> rows = new ArrayList<>();
+        for (Results.Time base : all) {
+            if (!base.contender().equals(contenders.get(0))) {
+                continue;
+            }
+            List<Results.Time> times = results.times().stream()
+                    .filter(time -> time.scene().equals(base.scene()) && time.side() == base.side())
+                    .toList();
+            List<String> row = new ArrayList<>(List.of(base.scene(), Integer.toString(base.side())));
+            for (String contender : contenders) {
+                String plain = contender.replace(Contender.PIXELS, "");
+                String factor = times.stream()
+                        .filter(time -> time.samples() == 1 && time.contender().equals(plain))
+                        .flatMap(one -> times.stream()
+                                .filter(time -> time.samples() > 1)
+                                .filter(time -> time.contender().equals(contender))
+                                .map(many -> number("; %.1f", many.median() / one.median())))
+                        .findFirst()
+                        .orElse("");
+                row.add(cell(
+                                times.stream().filter(time -> time.samples() > 1).toList(), base.scene(), contender)
+                        + factor);
+            }
+            rows.add(row);
         }
         return GeneratedPage.table(head, rows);
     }

@@ -28,7 +28,8 @@ record Results(Map<String, String> facts, List<Time> times, List<Picture> pictur
      * Times of the frames of one process.
      *
      * @param scene name of the scene or mesh file, without a folder
-     * @param side width and height of the raster, samples
+     * @param side width and height of the raster, pixels
+     * @param samples a pixel has the square of this number of samples
      * @param threads number of threads of the renderer; the process has as many processors
      * @param contender name of the renderer
      * @param round number of the round, from 1; within a round, processes run directly one after the other
@@ -43,6 +44,7 @@ record Results(Map<String, String> facts, List<Time> times, List<Picture> pictur
     record Time(
             String scene,
             int side,
+            int samples,
             int threads,
             String contender,
             int round,
@@ -96,10 +98,16 @@ record Results(Map<String, String> facts, List<Time> times, List<Picture> pictur
     static Results read(Path file) throws IOException {
         JsonObject root = JsonRecords.parse(Files.readString(file));
         return new Results(
-                JsonRecords.texts(root, "facts"),
+                new TreeMap<>(JsonRecords.texts(root, "facts")),
                 JsonRecords.records(root, "times", Time.class),
                 JsonRecords.records(root, "pictures", Picture.class),
                 JsonRecords.records(root, "starts", Start.class));
+    }
+
+    /** Removes all results of a scene. */
+    void drop(String scene) {
+        times.removeIf(time -> time.scene().equals(scene));
+        pictures.removeIf(picture -> picture.scene().equals(scene));
     }
 
     /** Writes JSON with one measurement per line. */

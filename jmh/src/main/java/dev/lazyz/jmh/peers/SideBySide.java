@@ -30,7 +30,11 @@ import kotlinx.serialization.json.JsonObject;
  * are for different work.
  *
  * <p>All of this is done with the first raster. Further rasters, and mesh files, are measured once, with Lazy Z and
- * llvmpipe on one thread, because everything would take more than a day.
+ * llvmpipe on one thread, because everything would take more than a day. So are lit scenes, with one sample a pixel and
+ * with {@value #SAMPLES} x {@value #SAMPLES}, shaded once a sample and, as llvmpipe does it, once a pixel.
+ *
+ * <p>With {@code --keep}, the file of results exists already, and results of other scenes and of whole processes are
+ * kept. The facts of the new run then begin with {@value #ADDED}.
  */
 public final class SideBySide {
     private static final Set<String> OPTIONS = Set.of(
@@ -45,27 +49,36 @@ public final class SideBySide {
             "sides",
             "other-sides",
             "meshes",
+            "lit",
             "threads",
             "rounds",
             "warm-up",
             "measure",
             "results",
+            "keep",
             "fact");
     /** The scene of the processes that are timed from start to end. */
     private static final String COLD_SCENE = "teapot";
+
+    /** Begins the names of facts that are true of results that were added later. */
+    private static final String ADDED = "added: ";
+
+    /** Samples a pixel of anti-aliased pictures, along each side of the pixel. */
+    static final int SAMPLES = 4;
 
     /** Maximum time of a process; longer than any should take. */
     private static final long MINUTES = 10;
 
     private final Options options;
     private final Path folder;
-    private final Results results = Results.empty();
+    private final Results results;
     private final List<Contender> contenders = new ArrayList<>();
     private final Map<String, Triangles> triangles = new HashMap<>();
 
-    private SideBySide(Options options, Path folder) {
+    private SideBySide(Options options, Path folder, Results results) {
         this.options = options;
         this.folder = folder;
+        this.results = results;
         for (String command : options.all("llvmpipe")) {
             contenders.add(Contender.parse(Contender.Kind.LLVMPIPE, Results.BASE + "=" + command));
             contenders.add(
@@ -80,9 +93,12 @@ public final class SideBySide {
     /** Options: see {@code jmh/README.md}. */
     public static void main(String[] args) throws IOException, InterruptedException {
         Options options = new Options(args, OPTIONS);
+        Path output = Path.of(options.get("results", "results.json"));
+        boolean isKept = Boolean.parseBoolean(options.get("keep", "false"));
+        Results results = isKept ? Results.read(output) : Results.empty();
         Path folder = Files.createTempDirectory("lazyz-peers-");
         try {
-            new SideBySide(options, folder).run(Path.of(options.get("results", "results.json")));
+            new SideBySide(options, folder, results).run(output, isKept ? ADDED : "");
         } finally {
             for (Path file : Files.list(folder).toList()) {
                 Files.delete(file);
@@ -91,14 +107,17 @@ public final class SideBySide {
         }
     }
 
-    private void run(Path file) throws IOException, InterruptedException {
+    private void run(Path file, String addition) throws IOException, InterruptedException {
+        List<String> lit = options.list("lit", "").stream()
+                .map(name -> TriangleSource.LIT + name)
+                .toList();
         List<String> compared = options.list("scenes", String.join(",", Workloads.COMPARED));
         List<String> others = options.list("others", "");
         List<String> meshes = options.list("meshes", "");
         List<Integer> sides = integers("sides", "1024");
         List<Integer> otherSides = integers("other-sides", "1024");
         List<Integer> threads = integers("threads", "1,2");
-        recordFacts();
+        recordFacts(addition);
         for (String scene : compared) {
             export(scene);
         }
@@ -108,11 +127,16 @@ public final class SideBySide {
         for (String mesh : meshes) {
             export(mesh);
         }
+        for (String scene : lit) {
+            export(scene);
+        }
         comparePictures(compared, sides.get(0), contender -> true);
         comparePictures(others, otherSides.get(0), contender -> true);
         int rounds = Integer.parseInt(options.get("rounds", "3"));
         for (int round = 1; round <= rounds; round++) {
-            start(round);
+            if (addition.isEmpty()) {
+                start(round);
+            }
             measure(compared, sides.get(0), threads, round, file, contender -> true);
             measure(others, otherSides.get(0), threads, round, file, contender -> true);
         }
@@ -125,6 +149,10 @@ public final class SideBySide {
         for (int side : otherSides) {
             measureOnce(meshes, side, file);
         }
+        for (int side : otherSides) {
+            measureOnce(lit, side, file);
+            measureSmooth(lit, side, file);
+        }
     }
 
     private void measureOnce(List<String> scenes, int side, Path file) throws IOException, InterruptedException {
@@ -132,26 +160,42 @@ public final class SideBySide {
         measure(scenes, side, List.of(1), 1, file, Contender::isOursOrBase);
     }
 
+    /** Measures anti-aliased pictures of scenes once. */
+    private void measureSmooth(List<String> scenes, int side, Path file) throws IOException, InterruptedException {
+        for (String scene : scenes) {
+            for (Contender contender : contenders) {
+                if (contender.isOursOrBase() && canDraw(contender, scene, 1)) {
+                    measure(contender, scene, side, SAMPLES, 1, 1);
+                }
+                if (contender.kind() == Contender.Kind.OURS) {
+                    measure(contender.shadingPixels(), scene, side, SAMPLES, 1, 1);
+                }
+            }
+            results.write(file);
+        }
+    }
+
     private List<Integer> integers(String name, String otherwise) {
         return options.list(name, otherwise).stream().map(Integer::valueOf).toList();
     }
 
     /** Records the facts that are needed to judge the figures. */
-    private void recordFacts() throws IOException {
+    private void recordFacts(String addition) throws IOException {
         for (String fact : options.all("fact")) {
             int at = fact.indexOf('=');
-            results.facts().put(fact.substring(0, at), fact.substring(at + 1));
+            results.facts().put(addition + fact.substring(0, at), fact.substring(at + 1));
         }
-        results.facts().put("date", LocalDate.now().toString());
-        results.facts().put("rounds", options.get("rounds", "3"));
-        results.facts().put("warm-up, s", options.get("warm-up", "3"));
-        results.facts().put("measurement, s", options.get("measure", "4"));
+        results.facts().put(addition + "date", LocalDate.now().toString());
+        results.facts().put(addition + "rounds", options.get("rounds", "3"));
+        results.facts().put(addition + "warm-up, s", options.get("warm-up", "3"));
+        results.facts().put(addition + "measurement, s", options.get("measure", "4"));
     }
 
     private void export(String scene) throws IOException {
         Triangles exported = TriangleSource.find(scene);
         exported.write(file(scene));
         triangles.put(scene, exported);
+        results.drop(TriangleSource.label(scene));
     }
 
     private Path file(String scene) {
@@ -160,7 +204,7 @@ public final class SideBySide {
 
     private boolean canDraw(Contender contender, String scene, int threads) {
         Triangles drawn = triangles.get(scene);
-        boolean isPerspective = drawn.viewpoint().camera(null, 1.0).getProjection() instanceof Projection.Perspective;
+        boolean isPerspective = drawn.scene().camera(1, 1).getProjection() instanceof Projection.Perspective;
         return contender.canDraw(drawn, isPerspective, threads);
     }
 
@@ -188,7 +232,7 @@ public final class SideBySide {
 
     private void addPicture(Contender contender, String scene, int side, Path ours, Path theirs)
             throws IOException, InterruptedException {
-        List<String> command = contender.drawing(scene, file(scene).toString(), side, 1);
+        List<String> command = contender.drawing(scene, file(scene).toString(), side, 1, 1);
         command.addAll(List.of("--picture", theirs.toString()));
         JsonObject printed = process(command, 1);
         if (printed == null) {
@@ -214,7 +258,7 @@ public final class SideBySide {
             for (int count : threads) {
                 for (Contender contender : contenders) {
                     if (which.test(contender) && canDraw(contender, scene, count)) {
-                        measure(contender, scene, side, count, round);
+                        measure(contender, scene, side, 1, count, round);
                     }
                 }
             }
@@ -224,9 +268,9 @@ public final class SideBySide {
         }
     }
 
-    private void measure(Contender contender, String scene, int side, int threads, int round)
+    private void measure(Contender contender, String scene, int side, int samples, int threads, int round)
             throws IOException, InterruptedException {
-        List<String> command = contender.drawing(scene, file(scene).toString(), side, threads);
+        List<String> command = contender.drawing(scene, file(scene).toString(), side, samples, threads);
         command.addAll(List.of("--warm-up", options.get("warm-up", "3"), "--measure", options.get("measure", "4")));
         JsonObject printed = process(command, threads);
         if (printed == null) {
@@ -235,6 +279,7 @@ public final class SideBySide {
         Results.Time time = new Results.Time(
                 TriangleSource.label(scene),
                 side,
+                samples,
                 threads,
                 contender.name(),
                 round,
@@ -248,8 +293,8 @@ public final class SideBySide {
         results.times().add(time);
         results.facts().putIfAbsent("version of " + contender.name(), JsonRecords.text(printed, "version"));
         System.out.printf(
-                "round %d  %-16s %5d  %d thread%s  %-24s %10.2f ms%n",
-                round, time.scene(), side, threads, threads == 1 ? " " : "s", contender.name(), time.median());
+                "round %d  %-16s %5d x %d  %d thread%s  %-24s %10.2f ms%n",
+                round, time.scene(), side, samples, threads, threads == 1 ? " " : "s", contender.name(), time.median());
     }
 
     /** Times whole processes, from start to end, that render one image to a file. */

@@ -18,7 +18,8 @@ import org.joml.Vector3dc;
 /**
  * Converts any scene to {@link Triangles}, so that other renderers can draw scenes that were not made for benchmarks.
  *
- * <p>Light is baked into vertex colours: a light source at the eye, and the material's colour. Textures are omitted.
+ * <p>Either light is baked into vertex colours: a light source at the eye, and the material's colour. Or vertices have
+ * the material's colour and a normal, and the renderer computes the light. Textures and highlights are omitted.
  * Shared vertices stay shared. A sphere becomes {@value #STEPS} by {@value #RINGS} quadrilaterals, a polygon a fan
  * around its first vertex. Not thread safe.
  */
@@ -27,12 +28,15 @@ public final class Baked {
     private static final int RINGS = 32;
 
     private final Camera camera;
+    private final boolean isLit;
     private final ByteArrayOutputStream rgb = new ByteArrayOutputStream();
     private float[] positions = new float[0];
+    private float[] normals = new float[0];
     private int[] indices = new int[0];
 
-    private Baked(Camera camera) {
+    private Baked(Camera camera, boolean isLit) {
         this.camera = camera;
+        this.isLit = isLit;
     }
 
     /**
@@ -41,12 +45,27 @@ public final class Baked {
      * @throws IllegalArgumentException if a surface is of a kind that cannot be converted to triangles
      */
     public static Triangles of(String id, Scene scene) {
-        Baked baked = new Baked(scene.camera(1, 1));
+        return of(id, scene, false);
+    }
+
+    /** Like {@link #of}, with normals and without light. */
+    public static Triangles lit(String id, Scene scene) {
+        return of(id, scene, true);
+    }
+
+    private static Triangles of(String id, Scene scene, boolean isLit) {
+        Baked baked = new Baked(scene.camera(1, 1), isLit);
         for (Surface surface : scene.getSurfaces()) {
             baked.add(mesh(surface));
         }
         return new Triangles(
-                id, baked.positions, baked.indices, baked.rgb.toByteArray(), Coloring.SMOOTH, baked.camera);
+                id,
+                baked.positions,
+                baked.indices,
+                baked.rgb.toByteArray(),
+                isLit ? baked.normals : null,
+                isLit ? Coloring.LIT : Coloring.SMOOTH,
+                baked.camera);
     }
 
     private static Mesh mesh(Surface surface) {
@@ -110,6 +129,7 @@ public final class Baked {
     private void add(Mesh mesh) {
         int first = positions.length / 3;
         positions = joined(positions, mesh.getPositions());
+        normals = joined(normals, mesh.getNormals());
         int at = indices.length;
         indices = Arrays.copyOf(indices, at + mesh.getTriangles().length);
         for (int vertex : mesh.getTriangles()) {
@@ -127,6 +147,17 @@ public final class Baked {
     }
 
     private void addColor(Mesh mesh, int vertex) {
+        double light = isLit ? 1 : light(mesh, vertex);
+        Rgba base = mesh.getMaterial().getBaseColor();
+        float[] own = mesh.getColors();
+        float[] color = {base.getRed(), base.getGreen(), base.getBlue()};
+        for (int i = 0; i < 3; i++) {
+            double component = color[i] * light * (own == null ? 1 : own[4 * vertex + i]);
+            rgb.write((int) (255 * Math.min(1, Math.max(0, component)) + 0.5));
+        }
+    }
+
+    private double light(Mesh mesh, int vertex) {
         Vector3dc eye = camera.getEye();
         float[] p = mesh.getPositions();
         float[] n = mesh.getNormals();
@@ -136,13 +167,6 @@ public final class Baked {
         double cosine = Math.abs(toEye.x * normal.x + toEye.y * normal.y + toEye.z * normal.z);
         double lengths = StrictMath.sqrt((toEye.x * toEye.x + toEye.y * toEye.y + toEye.z * toEye.z)
                 * (normal.x * normal.x + normal.y * normal.y + normal.z * normal.z));
-        double light = 0.2 + (lengths > 0 ? 0.8 * cosine / lengths : 0);
-        Rgba base = mesh.getMaterial().getBaseColor();
-        float[] own = mesh.getColors();
-        float[] color = {base.getRed(), base.getGreen(), base.getBlue()};
-        for (int i = 0; i < 3; i++) {
-            double component = color[i] * light * (own == null ? 1 : own[4 * vertex + i]);
-            rgb.write((int) (255 * Math.min(1, Math.max(0, component)) + 0.5));
-        }
+        return 0.2 + (lengths > 0 ? 0.8 * cosine / lengths : 0);
     }
 }

@@ -10,4 +10,7 @@ public enum Coloring {
 
     /** Vertex colours, interpolated and processed by {@link RoundsShader}. */
     ROUNDS,
+
+    /** Vertex colours, interpolated and multiplied by the light of a scene without lights, at each sample. */
+    LIT,
 }

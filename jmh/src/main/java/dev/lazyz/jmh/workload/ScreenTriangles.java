@@ -52,6 +52,7 @@ final class ScreenTriangles {
                 Arrays.copyOf(positions, 3 * vertexCount),
                 Arrays.copyOf(indices, indexCount),
                 Arrays.copyOf(rgb, 3 * vertexCount),
+                null,
                 coloring,
                 CAMERA);
     }

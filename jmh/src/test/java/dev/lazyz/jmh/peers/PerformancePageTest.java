@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -31,7 +32,12 @@ class PerformancePageTest {
                     time("city", 1, "JDK 25", 1, 2),
                     time("cow.obj", 1, "llvmpipe", 1, 8),
                     time("cow.obj", 1, "JDK 25", 1, 2),
-                    new Results.Time("bunny.obj", 256, 1, "llvmpipe", 1, 5, 5, 5, 5, 5, 5, 9)),
+                    lit(1, "llvmpipe", 6),
+                    lit(1, "JDK 25", 3),
+                    lit(4, "llvmpipe", 12),
+                    lit(4, "JDK 25", 24),
+                    lit(4, "JDK 25, once a pixel", 8),
+                    new Results.Time("bunny.obj", 256, 1, 1, "llvmpipe", 1, 5, 5, 5, 5, 5, 5, 9)),
             List.of(new Results.Picture("S1", 1024, "VTK", 1000, 2, 3, -1, -1)),
             List.of(
                     new Results.Start("zcli", 1, 400),
@@ -59,6 +65,30 @@ class PerformancePageTest {
         assertTrue(fill("meshes").contains("| bunny.obj | 256 | 5.00 |  |"), fill("meshes"));
         assertFalse(fill("meshes").contains("| bunny.obj | 1024 |"), fill("meshes"));
         assertFalse(fill("others").contains("cow"), fill("others"));
+    }
+
+    @Test
+    void litScenesHaveTheirOwnTable() {
+        assertTrue(fill("lit").contains("| cow.obj, lit | 1024 | 6.00 | 3.00, **2.00 x** |\n"), fill("lit"));
+        assertFalse(fill("meshes").contains("lit"), fill("meshes"));
+        assertFalse(fill("others").contains("lit"), fill("others"));
+        assertFalse(fill("summary").contains("lit"), fill("summary"));
+    }
+
+    @Test
+    void antiAliasedPicturesAreComparedWithTheBaseAndWithOneSample() {
+        String row = "| cow.obj, lit | 1024 | 12.0; 2.0 | 24.0, **0.50 x**; 8.0 | 8.00, **1.50 x**; 2.7 |";
+        assertTrue(fill("smooth").contains(row), fill("smooth"));
+    }
+
+    @Test
+    void resultsOfASceneCanBeReplaced() {
+        Results results = new Results(
+                Map.of(), new ArrayList<>(RESULTS.times()), new ArrayList<>(RESULTS.pictures()), List.of());
+        results.drop("S1");
+        assertTrue(results.pictures().isEmpty());
+        assertTrue(results.times().stream().noneMatch(PerformancePage::isCompared));
+        assertTrue(results.times().stream().anyMatch(PerformancePage::isMesh));
     }
 
     @Test
@@ -148,8 +178,13 @@ class PerformancePageTest {
         return new PerformancePage(RESULTS).fill("<!-- generated: " + table + " -->\n<!-- end -->");
     }
 
+    private static Results.Time lit(int samples, String contender, double median) {
+        return new Results.Time(
+                "cow.obj, lit", 1024, samples, 1, contender, 1, median, median, median, median, median, median, 9);
+    }
+
     private static Results.Time time(String scene, int threads, String contender, int round, double median) {
         return new Results.Time(
-                scene, 1024, threads, contender, round, median, median, median, median, median, median, 9);
+                scene, 1024, 1, threads, contender, round, median, median, median, median, median, median, 9);
     }
 }

@@ -7,11 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.lazyz.DepthTest;
 import dev.lazyz.Image;
+import dev.lazyz.Rgba;
 import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.world.Scene;
+import dev.lazyz.world.material.Material;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
@@ -115,6 +119,39 @@ class WorkloadsTest {
         ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
         assertEquals(8 + 16 + 64 + 16 * 300_000, bytes.capacity());
         assertEquals(0, bytes.getInt(20));
+    }
+
+    @Test
+    void fileOfLitTrianglesEndsWithNormalsAndLight(@TempDir Path folder) throws Exception {
+        Triangles lit = Baked.lit("teapot", Workloads.scene("teapot"));
+        Path file = folder.resolve("lit.triangles");
+        lit.write(file);
+        ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
+        assertEquals(Coloring.LIT.ordinal(), bytes.getInt(8));
+        int normals = 8 + 16 + 64 + 16 * lit.vertexCount() + 4 * lit.indices().length;
+        assertEquals(normals + 12 * lit.vertexCount() + 4 * 19, bytes.capacity());
+        assertEquals(lit.normals()[4], bytes.getFloat(normals + 16));
+        int light = normals + 12 * lit.vertexCount();
+        assertEquals(1, bytes.getFloat(light + 12), "the eye is a point");
+        assertEquals(0.062f, bytes.getFloat(light + 20), "green of the ambient light");
+        assertEquals(0.59f, bytes.getFloat(light + 48), "blue of the first light");
+    }
+
+    @Test
+    void litTrianglesHaveTheLightOfTheirScene() throws InterruptedException {
+        Scene scene = Workloads.scene("crossing")
+                .withLights(List.of())
+                .withMaterials(material -> new Material(Rgba.WHITE));
+        Image expected = new Tiled().render(scene.withBackground(Rgba.TRANSPARENT).frame(64, 64));
+        Image actual = new Tiled().render(Baked.lit("crossing", scene).scene().frame(64, 64));
+        int different = 0;
+        for (int i = 0; i < 64 * 64; i++) {
+            for (int shift = 0; shift < 32; shift += 8) {
+                int off = (expected.getArgb()[i] >> shift & 0xFF) - (actual.getArgb()[i] >> shift & 0xFF);
+                different += Math.abs(off) > 1 ? 1 : 0;
+            }
+        }
+        assertEquals(0, different);
     }
 
     private static void assertStatistics(String id, int count, double area) {
