@@ -88,11 +88,15 @@ private fun largeCases(areas: Arbitrary<LargeArea>): Arbitrary<FrameCase> {
 private const val MOST_GROUPS = 6
 private const val MOST_PIECES = 9
 
-/** Returns the position of a group along a side: at its start, its middle or its end. */
+/** Returns the position of a group along a side: at its start, at its end, or anywhere. */
 private fun Region.placed(random: Random, axis: Int): Int {
     val start = if (axis == 0) columnStart else rowStart
-    val room = if (axis == 0) width - GROUP_WIDTH else height - GROUP_HEIGHT
-    return start + maxOf(room, 0) / 2 * random.nextInt(3)
+    val room = maxOf(if (axis == 0) width - GROUP_WIDTH else height - GROUP_HEIGHT, 0)
+    return start + when (random.nextInt(4)) {
+        0 -> 0
+        1 -> room
+        else -> random.nextInt(room + 1)
+    }
 }
 
 /** Frames with up to eighty spans in a row. */

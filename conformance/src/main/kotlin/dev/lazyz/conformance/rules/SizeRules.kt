@@ -21,6 +21,7 @@ import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.Selection
+import dev.lazyz.conformance.probes.longRasters
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -60,6 +61,20 @@ public sealed interface SizeRules : RulesForOne {
             val byPlace = Selection.byPlace
             Judgement(renderer.configured(RenderOptions(selector = byPlace.selector)), case, "a selector by place")
                 .equalsPicture(byPlace.of(case.frame))
+        }
+    }
+
+    /** A few primitives on rasters of thousands of small tiles, side by side or one below the other. */
+    @Rule(
+        intent = "There can be thousands of tiles in a row or a column, and primitives are submitted in any order.",
+        look = "Look for numbers of tiles in too few bits, and for a sort by row whose later passes are missing.",
+    )
+    @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_1_1_thousandsOfTilesAreDrawnCorrectly(@ForAll salt: Long) {
+        for (case in longRasters(salt)) {
+            val expected = Judgement(renderer(), case).equalsReference().rendering.image
+            val options = RenderOptions(tileSize = 8)
+            Judgement(renderer().configured(options), case, "$options").equalsPicture(expected)
         }
     }
 

@@ -2,12 +2,16 @@ package dev.lazyz.conformance.rules
 
 import dev.lazyz.Capability
 import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.requireStreaming
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.OneByOne
@@ -16,13 +20,14 @@ import dev.lazyz.conformance.probes.Question
 import dev.lazyz.conformance.probes.Trap
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.hasEnded
+import dev.lazyz.conformance.probes.streamedIsTheSame
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 
 /**
- * Rules about primitives that arrive one by one. They apply only to a [StreamingRenderer]. Part of
+ * Rules about primitives that arrive one by one or part by part. Most apply only to a [StreamingRenderer]. Part of
  * `RendererConformance`.
  */
 @Suppress("ktlint:standard:function-naming")
@@ -49,6 +54,33 @@ public sealed interface StreamingRules : RulesForOne {
         val expected = Frame(case.frame.raster, accepted, case.frame.region)
         Judgement(OneByOne(renderer), glazed, "primitives one by one, some translucent")
             .equalsPicture(Rendering.of(ReferenceRenderer(), expected).image)
+    }
+
+    /** All primitives that arrive one by one are counted, although most of them are hidden and need not be kept. */
+    @Rule(
+        intent = "The counter of primitives is the number of those that were added.",
+        look = "Count in add, not in finish: what is left then are the primitives that were kept.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_10_primitivesOneByOneAreCounted() {
+        val renderer = requireStreaming(renderer())
+        for (step in listOf(1, -1)) {
+            val drawing = renderer.begin(Raster(4, 4))
+            repeat(MANY) { drawing.add(Stripe(0..3, 0..3, 2 * MANY + step * it)) }
+            val counted = drawing.finish { _, _, _, _ -> }.primitives
+            if (counted != MANY.toLong()) fail(renderer, "$MANY primitives were added, but $counted are counted")
+        }
+    }
+
+    /** A frame of streamed meshes gives the same picture as one in memory, or is refused. */
+    @Rule(
+        intent = "A renderer that accepts a streamed frame gives the picture that the same triangles in memory have.",
+        look = "Look at ties between parts, whose order is that of the scene, and at the indices of later parts. Call " +
+            "FrameParts' refusal if primitives are read more than once.",
+    )
+    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_5_streamedFramesGiveTheSamePicture(@ForAll salt: Long) {
+        for (threads in 1..2) streamedIsTheSame(renderer().configured(RenderOptions(threads = threads)), salt)
     }
 
     /** A picture that is complete, or whose primitive failed, takes no more primitives and delivers no more rows. */
@@ -87,6 +119,9 @@ public sealed interface StreamingRules : RulesForOne {
     }
 
     private companion object {
+        /** More than renderers collect before they draw. */
+        const val MANY = 40_000
+
         /** Exclusive limit of the number of calls that a primitive answers before it throws. */
         const val MOST_CALLS = 6
     }

@@ -1,15 +1,19 @@
 package dev.lazyz.conformance.rules
 
+import dev.lazyz.Frame
+import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.cases.changed.watched
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.SeveralCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.OneByOne
 import dev.lazyz.conformance.probes.OverwritingSink
@@ -84,6 +88,25 @@ public sealed interface ThreadRules : RulesForOne {
         Judgement(renderer, case, "a sink that overwrites its rows").fail("", difference)
     }
 
+    /** What the sink writes into its rows does not affect later ones, even if there is nothing to draw in them. */
+    @Rule(
+        intent = "A row without primitives has the background, whatever the sink wrote into an earlier row.",
+        look = "Look for tiles, bands or rows that are not filled again because they are said to be empty already.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_8_sinkMayOverwriteEmptyRows() {
+        for (renderer in listOf(renderer(), renderer().configured(FOUR_THREADS))) {
+            for (rows in listOf(0..<0, 300..<500)) {
+                val stripe = listOf(Stripe(3..7, rows, 1000)).filter { !rows.isEmpty() }
+                val frame = Frame(Raster(EMPTY_COLUMNS, EMPTY_ROWS), stripe)
+                val sink = OverwritingSink(frame)
+                val counters = renderer.render(frame, sink)
+                val difference = difference(ReferenceRenderer().render(frame), sink.image(counters)) ?: continue
+                fail(renderer, "a sink overwrites its rows, of which only $rows are not empty: $difference")
+            }
+        }
+    }
+
     /** A sink may render other frames with the same renderer, and its row does not change meanwhile. */
     @Rule(
         intent = "A sink may render: renderings of one thread can be nested, and do not disturb each other.",
@@ -125,6 +148,10 @@ public sealed interface ThreadRules : RulesForOne {
     }
 
     private companion object {
+        /** Several tiles, and more bands of them than a renderer has in work at a time. */
+        const val EMPTY_COLUMNS = 70
+        const val EMPTY_ROWS = 1100
+
         val FOUR_THREADS = RenderOptions(threads = 4, tileSize = 8)
         val SMALL_TILES = RenderOptions(threads = 1, tileSize = 8)
     }

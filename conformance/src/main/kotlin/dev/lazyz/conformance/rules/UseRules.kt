@@ -1,6 +1,7 @@
 package dev.lazyz.conformance.rules
 
 import dev.lazyz.Capability
+import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.halves
 import dev.lazyz.conformance.cases.changed.withinAny
@@ -18,6 +19,7 @@ import dev.lazyz.conformance.probes.failsAsPlanned
 import dev.lazyz.conformance.probes.failsWithItsSelector
 import dev.lazyz.conformance.probes.framesAreRight
 import dev.lazyz.conformance.probes.memory.keepsNothing
+import dev.lazyz.conformance.probes.tallMeshes
 import dev.lazyz.conformance.probes.threads.atOnce
 import dev.lazyz.conformance.probes.threads.endsInterrupted
 import java.util.Random
@@ -42,6 +44,19 @@ public sealed interface UseRules : RulesForOne {
         val renderer = renderer()
         val parts = cases.flatMap { it.halves() }
         for (case in cases + parts + cases) Judgement(renderer, case).equalsReference().equalsItsImage()
+    }
+
+    /** A renderer that renders frames of many sizes one after the other, by two threads, gives the right picture of each. */
+    @Rule(
+        intent = "What a renderer keeps for its next frame, such as arrays, has no effect on the picture.",
+        look = "Look for arrays that go back to a pool twice, or while they are still in use, and for old contents.",
+        about = [Symptom.AGAIN],
+    )
+    @Property(tries = 3, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_1_framesOfManySizesAreIndependent(@ForAll salt: Long) {
+        val options = RenderOptions(threads = 2)
+        val renderer = renderer().configured(options)
+        for (case in tallMeshes(salt)) Judgement(renderer, case, "$options").equalsReference()
     }
 
     /** Frames on which rules have failed before, and the user's own frames, are correct. */

@@ -191,7 +191,7 @@ object BrokenStreams {
             throw IllegalArgumentException("no options are supported")
     }
 
-    private fun stream(
+    internal fun stream(
         id: String,
         promises: Set<Capability> = emptySet(),
         make: (begin: () -> Drawing) -> Drawing,

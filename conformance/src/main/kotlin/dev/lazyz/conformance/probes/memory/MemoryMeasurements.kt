@@ -1,12 +1,15 @@
 package dev.lazyz.conformance.probes.memory
 
 import dev.lazyz.Capability
+import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.Spans
+import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.Glass
 import dev.lazyz.conformance.cases.Once
 import dev.lazyz.conformance.cases.Stripe
@@ -180,14 +183,67 @@ internal fun budgetOnTheHeap(renderer: Renderer) {
             fail(renderer, "the budget is $budget bytes, but many colours hold $it than one colour")
         }
     }
+    val combs = List(2) { (it..<COMB_WIDTH step 2) to (0..<SIDE) }
+    val configured = renderer.configured(RenderOptions(memoryBudget = COMB_BUDGET, threads = 1))
+    val held = { heldForColours(configured, combs, COMB_WIDTH) - heldForColours(configured, wide, COMB_WIDTH) }
+    Heap.requireAtMost(COMB_BUDGET + BUDGET_ALLOWANCE, held) {
+        fail(renderer, "the budget is $COMB_BUDGET bytes, but spans of one sample hold $it than long ones")
+    }
+    if (renderer is StreamingRenderer) budgetOfHeavyPrimitives(renderer)
+}
+
+private const val COMB_WIDTH = 2048
+private const val COMB_BUDGET = 64L * 1024
+private val wide = listOf(0..<COMB_WIDTH to 0..<SIDE)
+
+/** Fails if primitives that say how much they hold are kept although the budget has no room for them. */
+private fun budgetOfHeavyPrimitives(renderer: StreamingRenderer) {
+    val configured = renderer.configured(RenderOptions(memoryBudget = HEAVY_BUDGET, threads = 1)) as? StreamingRenderer
+        ?: fail(renderer, "it takes primitives one by one, but not if it has a memory budget")
+    val held = {
+        Heap.most { measure ->
+            val drawing = configured.begin(Raster(HEAVY, 1))
+            repeat(HEAVY) { drawing.add(HeavyPrimitive(it, HEAVY_BYTES)) }
+            measure()
+            drawing.finish { _, _, _, _ -> }
+        }
+    }
+    Heap.requireAtMost(HEAVY_BUDGET + HEAVY_BUDGET / 4 + BUDGET_ALLOWANCE, held) {
+        fail(renderer, "the budget is $HEAVY_BUDGET bytes, but $HEAVY primitives of $HEAVY_BYTES bytes hold $it")
+    }
+}
+
+private const val HEAVY = 64
+private const val HEAVY_BYTES = 1 shl 17
+private const val HEAVY_BUDGET = 1L shl 20
+
+/** Covers one sample, and holds [bytes] bytes. */
+private class HeavyPrimitive(override val columnStart: Int, private val bytes: Int) : Primitive {
+    private val data = ByteArray(bytes)
+    override val columnEnd: Int get() = columnStart + 1
+    override val rowStart: Int get() = 0
+    override val rowEnd: Int get() = 1
+    override val heldBytes: Long get() = bytes + 64L
+
+    override fun spans(y: Int, spans: Spans) {
+        if (y == 0) spans.add(columnStart, columnEnd)
+    }
+
+    override fun depth(x: Int, y: Int): Int = 1000
+
+    override fun shade(fragment: Fragment) = fragment.setColor(1f, data[0].toFloat(), 0f)
 }
 
 /** Returns what is held when the last primitive is queried, and when the first row is delivered. */
-private fun heldForColours(renderer: Renderer, places: List<Pair<IntProgression, IntRange>>): HeapContent {
+private fun heldForColours(
+    renderer: Renderer,
+    places: List<Pair<IntProgression, IntRange>>,
+    width: Int = SIDE,
+): HeapContent {
     var onQuery: (Int) -> Unit = {}
     val primitives = places.mapIndexed { index, (columns, rows) -> Stripe(columns, rows, 1000) { onQuery(index) } }
     return Heap.most { measure ->
         onQuery = Once(places.lastIndex, measure)
-        renderer.render(Frame(Raster(SIDE, SIDE), primitives)) { y, _, _, _ -> if (y == 0) measure() }
+        renderer.render(Frame(Raster(width, SIDE), primitives)) { y, _, _, _ -> if (y == 0) measure() }
     }
 }

@@ -7,6 +7,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.broken.BrokenFailures
 import dev.lazyz.conformance.broken.BrokenPromises
 import dev.lazyz.conformance.broken.BrokenRenderer
+import dev.lazyz.conformance.broken.BrokenReuse
 import dev.lazyz.conformance.broken.gallery.RuleNames.arrivals
 import dev.lazyz.conformance.broken.gallery.RuleNames.heap
 import dev.lazyz.conformance.broken.gallery.RuleNames.held
@@ -27,6 +28,8 @@ internal object MemoryGallery {
         Mutant(::notesPrimitives, "promises to stream primitives, but stores the bounds of each", arrivals),
         Mutant(BrokenPromises::reportsAByte, "reports one byte, whatever it holds", held),
         Mutant(::reportsTheBudgetAsKept, "ignores the memory budget, but reports that it is kept", heap),
+        Mutant(BrokenReuse::keepsShortSpans, "keeps to the budget, but for the places of short spans", heap),
+        Mutant(BrokenReuse::keepsHeavyPrimitives, "keeps all primitives that come one by one, in any budget", heap),
         Mutant(
             BrokenFailures::keepsANumberForEachRow,
             "promises constant memory, but keeps four bytes for each row",

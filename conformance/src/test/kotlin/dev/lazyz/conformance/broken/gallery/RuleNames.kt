@@ -96,5 +96,10 @@ internal object RuleNames {
     val rounded = RendererConformance::rule_5_5_sumsAreRoundedAsDefined.name
     val depths = RendererConformance::rule_8_1_depthsThatAreAskedForAreCounted.name
     val held = RendererConformance::rule_8_1_peakBytesAreWhatIsHeld.name
+    val sizes = RendererConformance::rule_7_1_framesOfManySizesAreIndependent.name
+    val emptyRows = RendererConformance::rule_7_8_sinkMayOverwriteEmptyRows.name
+    val manyTiles = RendererConformance::rule_1_1_thousandsOfTilesAreDrawnCorrectly.name
+    val counted = RendererConformance::rule_7_10_primitivesOneByOneAreCounted.name
+    val streamed = RendererConformance::rule_7_5_streamedFramesGiveTheSamePicture.name
     val arrivals = RendererConformance::rule_8_1_promiseToStreamPrimitivesIsKept.name
 }

@@ -1,6 +1,7 @@
 package dev.lazyz.conformance.broken.gallery
 
 import dev.lazyz.conformance.broken.BrokenCombinations
+import dev.lazyz.conformance.broken.BrokenReuse
 import dev.lazyz.conformance.broken.BrokenSizes
 import dev.lazyz.conformance.broken.gallery.RuleNames.deep
 import dev.lazyz.conformance.broken.gallery.RuleNames.far
@@ -40,6 +41,11 @@ internal object SizeGallery {
         Mutant(BrokenSizes::lastColumnOfATileOf64, "the last column of each tile of 64 x 64 samples is lost", tiles),
         Mutant(BrokenSizes::lastRowOfABandOf128, "the last row of each band of 128 rows is lost", tiles),
         Mutant(BrokenSizes::noTilesBeyondTheFirstOf256, "tiles of 256 right of or below the first are lost", tiles),
+        Mutant(
+            BrokenReuse::sortsByNineBits,
+            "primitives are sorted by nine bits of the band in which they begin",
+            RuleNames.manyTiles,
+        ),
         Mutant(BrokenSizes::seamAt256, "the first column of a tile of 256 is a copy of the one before", tiles),
         Mutant(BrokenSizes::sixteenSpans, "a primitive has at most 16 spans in a row", manySpans),
         Mutant(BrokenSizes::spansIn14Bits, "a primitive has at most 16,384 spans in a row", thousandsOfSpans),

@@ -6,6 +6,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.Spans
 import dev.lazyz.conformance.broken.BrokenFailures
 import dev.lazyz.conformance.broken.BrokenRenderer
+import dev.lazyz.conformance.broken.BrokenReuse
 import dev.lazyz.conformance.broken.Crew
 import dev.lazyz.conformance.broken.Tools
 import dev.lazyz.conformance.broken.emit
@@ -55,6 +56,11 @@ internal object ThreadGallery {
             ::writesOnlyChanges,
             "an element of a row is written only if it differs from the row before",
             overwrites,
+        ),
+        Mutant(
+            BrokenReuse::fillsEmptyBandsOnce,
+            "a band of rows without primitives is not filled again after another such band",
+            RuleNames.emptyRows,
         ),
         Mutant(::fillsRowsLater, "the next row is written into the arrays that the sink still has", overwrites),
         Mutant(::keepsRowsInAThread, "the arrays of a row are in a thread local, for all renderings", nested),

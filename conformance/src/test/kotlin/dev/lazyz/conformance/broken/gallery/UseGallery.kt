@@ -2,6 +2,7 @@ package dev.lazyz.conformance.broken.gallery
 
 import dev.lazyz.conformance.broken.BrokenManners
 import dev.lazyz.conformance.broken.BrokenRenderers
+import dev.lazyz.conformance.broken.BrokenReuse
 import dev.lazyz.conformance.broken.gallery.RuleNames.accidents
 import dev.lazyz.conformance.broken.gallery.RuleNames.again
 import dev.lazyz.conformance.broken.gallery.RuleNames.empty
@@ -34,6 +35,11 @@ internal object UseGallery {
             BrokenManners::keepsTheClippedPart,
             "identifies a region by its size, so another region of the same size gets its rows",
             again,
+        ),
+        Mutant(
+            BrokenReuse::rowsOfTheFirstTallFrame,
+            "arrays are made for the first frame of several bands, and not made longer for a later one",
+            RuleNames.sizes,
         ),
         Mutant(BrokenManners::notRestartable, "a frame can be rendered once", again),
         Mutant(

@@ -1,5 +1,6 @@
 package dev.lazyz.conformance.broken.gallery
 
+import dev.lazyz.conformance.broken.BrokenReuse
 import dev.lazyz.conformance.broken.BrokenStreams
 import dev.lazyz.conformance.broken.BrokenVariants
 
@@ -32,6 +33,8 @@ internal object VariantGallery {
             RuleNames.ended,
         ),
         Mutant(BrokenStreams::namesTheFirst, "names another primitive than it refuses", RuleNames.oneByOne),
+        Mutant(BrokenReuse::countsALastGroup, "counts the primitives of the last group", RuleNames.counted),
+        Mutant(BrokenReuse::numbersEachPart, "numbers primitives of streamed parts from 0", RuleNames.streamed),
         Mutant(BrokenStreams::finishesAgain, "delivers an image again if the sink has refused it", RuleNames.ended),
         Mutant(BrokenStreams::keepsWhatArrives, "keeps a note of each picture that it begins", RuleNames.leaks),
         Mutant(

@@ -1,0 +1,61 @@
+package dev.lazyz.conformance.probes
+
+import dev.lazyz.FillRule
+import dev.lazyz.Raster
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.frames.screen.PolygonPiece
+import dev.lazyz.conformance.frames.screen.screenCase
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
+import dev.lazyz.world.surface.Mesh
+import java.util.Random
+
+/**
+ * Frames of a mesh of a few small triangles, in different places of rasters of several tiles, each of another height.
+ * What a renderer keeps of one of them has the wrong size, or the wrong content, for the next.
+ */
+internal fun tallMeshes(salt: Long): List<FrameCase> {
+    val random = Random(salt)
+    return List(FRAMES) { tallMesh(FIRST_HEIGHT + HIGHER * it, random) }.sortedBy { random.nextInt(2) }
+}
+
+private const val FRAMES = 10
+private const val WIDTH = 64
+private const val FIRST_HEIGHT = 128
+private const val HIGHER = 64
+private const val TRIANGLES = 15
+
+private fun tallMesh(height: Int, random: Random): FrameCase {
+    val corners = List(TRIANGLES) {
+        // One of three is as large as a tile
+        val size = if (random.nextInt(3) == 0) WIDTH else 2
+        val x = random.nextInt(WIDTH - size + 1)
+        val y = random.nextInt(height - size + 1)
+        val z = random.nextInt(DEPTHS) / DEPTHS.toFloat()
+        listOf(x, y, z, x + size, y, z, x, y + size, z).map { it.toFloat() }
+    }
+    val positions = corners.flatten().toFloatArray()
+    val scene = Scene.builder().add(Mesh(positions, IntArray(3 * TRIANGLES) { it })).viewpoint(Camera.screen()).build()
+    val code = "Scene.builder().add(Mesh(floatArrayOf(${positions.joinToString { "${it}f" }}), " +
+        "IntArray(${3 * TRIANGLES}) { it })).viewpoint(Camera.screen()).build().frame($WIDTH, $height)"
+    return FrameCase(scene.frame(Raster(WIDTH, height)), code, scene)
+}
+
+/** Frames of a few triangles, in random order, on a raster of very many rows and one of very many columns. */
+internal fun longRasters(salt: Long): List<FrameCase> {
+    val random = Random(salt)
+    return listOf(Raster(SHORT, LONG), Raster(LONG, SHORT)).map { raster ->
+        val pieces = List(TRIANGLES) {
+            val x = random.nextInt(raster.width - SHORT + 1).toDouble()
+            val y = random.nextInt(raster.height - SHORT + 1).toDouble()
+            val z = random.nextInt(DEPTHS) / DEPTHS.toDouble()
+            val contour = doubleArrayOf(x, y, z, x + SHORT, y, z, x, y + SHORT, z)
+            PolygonPiece(listOf(contour), FillRule.NON_ZERO)
+        }
+        screenCase(raster, pieces)
+    }
+}
+
+private const val SHORT = 8
+private const val LONG = 50_000
+private const val DEPTHS = 16

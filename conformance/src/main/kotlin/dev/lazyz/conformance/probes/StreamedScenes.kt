@@ -1,0 +1,86 @@
+package dev.lazyz.conformance.probes
+
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
+import dev.lazyz.Raster
+import dev.lazyz.Renderer
+import dev.lazyz.Rgba
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.judgement.Judgement
+import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.geometry.Box
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.MeshSource
+import dev.lazyz.world.surface.StreamedMesh
+import java.util.Random
+import org.joml.Vector3dc
+
+/**
+ * Fails if [renderer] draws a streamed frame otherwise than the same frame in memory. It may refuse the frame. The
+ * frame is of several meshes, each of several parts, whose triangles often have the same depth.
+ */
+internal fun streamedIsTheSame(renderer: Renderer, salt: Long) {
+    val random = Random(salt)
+    val convention = DepthConvention.entries[random.nextInt(DepthConvention.entries.size)]
+    val test = DepthTest.entries[random.nextInt(DepthTest.entries.size)]
+    val raster = Raster(1 + random.nextInt(MOST_SIDE), 1 + random.nextInt(MOST_SIDE), Rgba.WHITE, convention, test)
+    val parts = List(1 + random.nextInt(MOST_MESHES)) { List(1 + random.nextInt(MOST_PARTS)) { part(raster, random) } }
+    val materials = parts.map { Material(Rgba(random.nextFloat(), random.nextFloat(), random.nextFloat())) }
+    fun scene(add: Scene.Builder.(parts: List<Mesh>, material: Material) -> Unit) = Scene.builder()
+        .apply { for ((i, mesh) in parts.withIndex()) add(mesh, materials[i]) }
+        .viewpoint(Camera.screen()).build()
+
+    val whole = scene { mesh, material -> add(joined(mesh, material)) }
+    val streamed = scene { mesh, material -> add(StreamedMesh(Parts(mesh), material)) }
+    val expected = Rendering.of(ReferenceRenderer(), whole.frame(raster)).image
+    val frame = streamed.frame(raster)
+    val refused = answer { renderer.render(frame) { _, _, _, _ -> } }
+    if (refused is IllegalArgumentException) return
+    val code = "/* ${parts.size} streamed meshes of ${parts.map { it.size }} parts, seed $salt, on $raster */"
+    Judgement(renderer, FrameCase(frame, code), "streamed meshes").equalsPicture(expected)
+}
+
+private const val MOST_SIDE = 24
+private const val MOST_MESHES = 4
+private const val MOST_PARTS = 3
+private const val MOST_TRIANGLES = 4
+private const val DEPTHS = 3
+
+/** Returns some triangles on whole positions. */
+private fun part(raster: Raster, random: Random): Mesh {
+    val count = 1 + random.nextInt(MOST_TRIANGLES)
+    val positions = FloatArray(9 * count)
+    for (triangle in 0 until count) {
+        val z = (1 + random.nextInt(DEPTHS)) / (1 + DEPTHS).toFloat()
+        for (corner in 0 until 3) {
+            val at = 9 * triangle + 3 * corner
+            positions[at] = random.nextInt(raster.width + 1).toFloat()
+            positions[at + 1] = random.nextInt(raster.height + 1).toFloat()
+            positions[at + 2] = z
+        }
+    }
+    return Mesh(positions, IntArray(3 * count) { it })
+}
+
+private fun joined(parts: List<Mesh>, material: Material = Material()): Mesh {
+    val positions = parts.flatMap { it.positions.toList() }.toFloatArray()
+    return Mesh(positions, IntArray(positions.size / 3) { it }, material)
+}
+
+/** Reads parts that are in memory. */
+private class Parts(private val parts: List<Mesh>) : MeshSource {
+    override val triangleCount: Int = parts.sumOf { it.triangleCount }
+    override val hasColors: Boolean get() = false
+    override val partCount: Int get() = parts.size
+    override val origin: Vector3dc get() = parts.first().origin
+
+    override fun triangleCount(number: Int): Int = parts[number].triangleCount
+
+    override fun bounds(number: Int): Box? = parts[number].bounds
+
+    override fun read(first: Int, count: Int): Mesh = joined(parts.subList(first, first + count))
+}

@@ -1,0 +1,140 @@
+package dev.lazyz.conformance.broken
+
+import dev.lazyz.Capability
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Drawing
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import dev.lazyz.Spans
+import dev.lazyz.StreamingRenderer
+import dev.lazyz.conformance.cases.changed.Recovered
+import dev.lazyz.conformance.cases.changed.renumbered
+import dev.lazyz.strategies.hybrid.Hybrid
+import dev.lazyz.strategies.zbuffer.ZBuffer
+
+/** Renderers that keep, reuse or count the wrong things. */
+internal object BrokenReuse {
+    /** Arrays are made for the first frame of several bands, and later frames of several bands do not get longer ones. */
+    fun rowsOfTheFirstTallFrame(): BrokenRenderer {
+        var most = 0
+        return BrokenRenderer("rows-of-the-first-tall-frame") { frame, sink ->
+            if (frame.height > BAND && most == 0) most = frame.height
+            val image = ZBuffer().render(frame)
+            val kept = if (frame.height > BAND) most * frame.width else image.argb.size
+            emit(image.with { place, value, empty -> if (place < kept) value else empty }, sink)
+        }
+    }
+
+    /** Where nothing is drawn in a band of rows, nor in the one before, its arrays are handed out as they are. */
+    fun fillsEmptyBandsOnce() = BrokenRenderer("fills-empty-bands-once") { frame, sink ->
+        val rows = List(BAND) { List(3) { IntArray(frame.width) } }
+        val used = frame.primitives.flatMap { it.rowStart / BAND..(it.rowEnd - 1) / BAND }.toSet()
+        ZBuffer().render(frame) { y, argb, depth, primitive ->
+            val own = rows[y % BAND]
+            val isFilled = y / BAND in used || y / BAND - 1 in used || y - frame.region.rowStart < BAND
+            if (isFilled) listOf(argb, depth, primitive).zip(own) { from, to -> from.copyInto(to, 0, 0, frame.width) }
+            sink.row(y, own[0], own[1], own[2])
+        }
+    }
+
+    /** Sorts primitives by nine bits of their first band of eight rows, and draws each as soon as it is its turn. */
+    fun sortsByNineBits() = BrokenRenderer("sorts-by-nine-bits") { frame, sink ->
+        val turns = HashMap<Primitive, Int>()
+        var turn = 0
+        for (primitive in frame.primitives.sortedBy { it.rowStart / 8 and 0x1FF }) {
+            turn = maxOf(turn, primitive.rowStart)
+            turns[primitive] = turn
+        }
+        val late = frame.primitives.map { primitive ->
+            object : Recovered(primitive) {
+                override fun spans(y: Int, spans: Spans) {
+                    if (y >= turns.getValue(primitive)) whole.spans(y, spans)
+                }
+            }
+        }
+        ZBuffer().render(Frame(frame.raster, late, frame.region), sink)
+    }
+
+    /** Keeps to the budget, but for the places of spans in rows with many of them. */
+    fun keepsShortSpans(): BrokenRenderer = keepsShortSpans(RenderOptions())
+
+    private fun keepsShortSpans(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "keeps-short-spans",
+        setOf(Capability.MEMORY_BUDGET),
+        { keepsShortSpans(it) },
+    ) { frame, sink ->
+        val places = ArrayList<IntArray>()
+        val noted = frame.primitives.map { primitive ->
+            object : Recovered(primitive) {
+                override fun spans(y: Int, spans: Spans) {
+                    whole.spans(y, spans)
+                    if (spans.count > FEW_SPANS) places.add(IntArray(spans.count))
+                }
+            }
+        }
+        Hybrid(options).render(Frame(frame.raster, noted, frame.region), sink).also { places.clear() }
+    }
+
+    /** Takes primitives one by one and keeps all of them, whatever the budget. */
+    fun keepsHeavyPrimitives(): BrokenRenderer = Keeping(RenderOptions())
+
+    private class Keeping(private val options: RenderOptions) :
+        BrokenRenderer(
+            "keeps-heavy-primitives",
+            setOf(Capability.MEMORY_BUDGET),
+            how = { frame, sink -> Hybrid(options).render(frame, sink) },
+        ),
+        StreamingRenderer {
+        override fun configured(options: RenderOptions): Renderer = Keeping(options.requireSupportedBy(this))
+
+        override fun begin(raster: Raster, region: Region): Drawing {
+            val drawing = Hybrid(options).begin(raster, region)
+            val kept = ArrayList<Primitive>()
+            return object : Drawing {
+                override fun add(primitive: Primitive) {
+                    drawing.add(primitive)
+                    kept.add(primitive)
+                }
+
+                override fun finish(sink: RowSink): Counters = drawing.finish(sink).also { kept.clear() }
+            }
+        }
+    }
+
+    /** Counts the primitives of the last group. */
+    fun countsALastGroup() = BrokenStreams.stream("stream-counts-a-last-group") { begin ->
+        val drawing = begin()
+        object : Drawing by drawing {
+            override fun finish(sink: RowSink): Counters =
+                drawing.finish(sink).toBuilder().apply { primitives %= GROUP }.build()
+        }
+    }
+
+    /** Streamed frames are drawn part by part, and the primitives of each part are numbered from 0. */
+    fun numbersEachPart() = BrokenRenderer("numbers-each-part") { frame, sink ->
+        val image = ZBuffer().render(frame)
+        emit(if (frame.isStreamed) image.renumbered { it % PART } else image, sink)
+    }
+
+    /** Returns the image with other samples; [change] gets a sample's place, its value, and that of the background. */
+    private fun Image.with(change: (place: Int, value: Int, empty: Int) -> Int) = Image(
+        region,
+        IntArray(argb.size) { change(it, argb[it], WHITE) },
+        IntArray(argb.size) { change(it, depth[it], Int.MAX_VALUE) },
+        IntArray(argb.size) { change(it, primitive[it], DepthTest.BACKGROUND) },
+        counters,
+    )
+
+    private const val WHITE = -1
+    private const val BAND = 64
+    private const val FEW_SPANS = 500
+    private const val GROUP = 1 shl 14
+    private const val PART = 2
+}
