@@ -57,7 +57,7 @@ class EdgeDrawingTest {
 
     /** A closed solid hides its own back, whether its material is drawn from both sides or not. */
     @Test
-    fun hiddenEdgesOfOneSidedSolidsAreDrawn() {
+    fun rule_10_2_hiddenEdgesOfOneSidedSolidsAreDrawn() {
         val camera = Camera.fit(30.0, 20.0, kind = Fit.ORTHOGRAPHIC)
         for (hidden in HiddenLines.entries) {
             val (both, front) = Sides.entries.map { sides ->
@@ -70,7 +70,7 @@ class EdgeDrawingTest {
 
     /** What is not drawn, and not hidden either, has no edges. */
     @Test
-    fun backsThatAreNotDrawnHaveNoEdges() {
+    fun rule_10_2_backsThatAreNotDrawnHaveNoEdges() {
         val back = Mesh(
             floatArrayOf(-1f, -1f, 0f, 1f, -1f, 0f, 1f, 1f, 0f), intArrayOf(0, 2, 1), plain.withSides(Sides.FRONT),
         )
@@ -85,7 +85,7 @@ class EdgeDrawingTest {
      * are drawn, and pixels away from visible edges are not.
      */
     @Test
-    fun aConvexSolidShowsItsVisibleEdges() {
+    fun rule_10_2_aConvexSolidShowsItsVisibleEdges() {
         val random = Random(7)
         repeat(40) {
             val angles = DoubleArray(3) { random.nextDouble() * 6 }
@@ -160,7 +160,7 @@ class EdgeDrawingTest {
         }
 
     @Test
-    fun aLineEndsWhereItsMiddleGoesBehindAnOutline() {
+    fun rule_10_2_aLineEndsWhereItsMiddleGoesBehindAnOutline() {
         val back = square(-1.8f, -1.5f, 1.8f, 0.02f, -1f)
         val front = square(-0.5f, -1f, 0.52f, 1f, 0f)
         val image = render(listOf(back, front), EdgeStyle(width = 3.0))
@@ -176,7 +176,7 @@ class EdgeDrawingTest {
     }
 
     @Test
-    fun polygonsHaveEdgesAndHideLines() {
+    fun rule_10_2_polygonsHaveEdgesAndHideLines() {
         fun contour(x0: Double, y0: Double, x1: Double, y1: Double) =
             listOf(Vertex(x0, y0, 1.0), Vertex(x1, y0, 1.0), Vertex(x1, y1, 1.0), Vertex(x0, y1, 1.0))
         val frame = Polygon(listOf(contour(-1.0, -1.0, 1.0, 1.0), contour(-0.5, -0.5, 0.5, 0.5)), plain)
@@ -193,7 +193,7 @@ class EdgeDrawingTest {
 
     /** The lower edge begins at a corner of the face that hides it, and is behind it by less than one thousandth. */
     @Test
-    fun aFlatWedgeHidesItsLowerEdge() {
+    fun rule_10_2_aFlatWedgeHidesItsLowerEdge() {
         val wedge = Mesh(
             floatArrayOf(-1.5f, 0.02f, 0f, 1.5f, -1.5f, 0f, 1.5f, 1.5f, 0f, 1.3f, 0.02f, -1e-4f),
             intArrayOf(0, 1, 2, 0, 3, 1, 0, 2, 3), plain,
@@ -204,7 +204,7 @@ class EdgeDrawingTest {
 
     /** A part that stands on another one: the edges on the contact are on a surface that is not theirs. */
     @Test
-    fun facesThatTouchAnEdgeDoNotHideIt() {
+    fun rule_10_2_facesThatTouchAnEdgeDoNotHideIt() {
         val base = Solids.box(-1.5f, -1f, -1f, 1.5f, 0f, 1f, plain)
         val top = Solids.box(-0.5f, 0f, -0.5f, 0.5f, 1f, 0.5f, plain)
         val camera = Camera.orthographic(
@@ -218,8 +218,20 @@ class EdgeDrawingTest {
         }
     }
 
+    /** The margin is 2^-17 of the longest side of the surfaces' box, 3.6 here. */
     @Test
-    fun allStrategiesAndRegionsGiveTheSameBits() {
+    fun rule_10_2_aFaceInFrontByMoreThanTheMarginHides() {
+        val margin = 3.6 / (1 shl 17)
+        for ((gap, columns) in listOf(0.9 * margin to listOf(4..94), 1.1 * margin to listOf(4..36, 63..94))) {
+            val back = square(-1.8f, -1.5f, 1.8f, 0.02f, -gap.toFloat())
+            val image = render(listOf(back, square(-0.52f, -1f, 0.56f, 1f, 0f)), EdgeStyle())
+            val row = image.blackColumns(49).filter { it.last > it.first }
+            assertEquals(columns, row) { "$gap" }
+        }
+    }
+
+    @Test
+    fun rule_10_3_allStrategiesAndRegionsGiveTheSameBits() {
         val surfaces = listOf(
             Solids.torus(1.0, 0.4, 24, 12), Solids.box(0.2f, -0.3f, 0.1f, 1.7f, 0.4f, 0.9f),
         )
@@ -260,7 +272,7 @@ class EdgeDrawingTest {
     }
 
     @Test
-    fun linesOfOneSampleHaveNoGaps() {
+    fun rule_10_3_linesOfOneSampleHaveNoGaps() {
         val random = Random(3)
         repeat(200) {
             val angle = random.nextDouble() * 6.3
@@ -285,7 +297,7 @@ class EdgeDrawingTest {
     }
 
     @Test
-    fun widthsAreThoseOfPixelsWhateverTheSampling() {
+    fun rule_10_3_widthsAreThoseOfPixelsWhateverTheSampling() {
         val scene = EdgeStyle(width = 4.0).drawnOn(Scene(listOf(square(-1f, -1f, 1f, 1f, 0f)), viewpoint = front))
         for (factor in listOf(1, 4)) {
             val image = SuperSampling(factor).frame(scene, Raster(100, 100)).render(ZBuffer())

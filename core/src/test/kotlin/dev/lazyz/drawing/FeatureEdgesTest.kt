@@ -19,7 +19,7 @@ class FeatureEdgesTest {
     private fun mesh(vararg corners: Float) = Mesh(corners, IntArray(corners.size / 3) { it })
 
     @Test
-    fun aCubeHasTwelveCreases() {
+    fun rule_10_1_aCubeHasTwelveCreases() {
         assertEquals(12, count(Solids.cube()))
         assertEquals(12, count(Solids.split(Solids.cube())), "vertices are joined by position")
         assertEquals(12, count(Solids.cube(), 89.0))
@@ -29,7 +29,7 @@ class FeatureEdgesTest {
     }
 
     @Test
-    fun theSilhouetteOfASphereIsOneClosedLoop() {
+    fun rule_10_1_theSilhouetteOfASphereIsOneClosedLoop() {
         val lines = FeatureEdges().of(Solids.split(Solids.sphere(40, 20)), camera)
         assertOneLoop(lines)
         assertEquals(0, count(Solids.sphere(40, 20)))
@@ -52,7 +52,7 @@ class FeatureEdgesTest {
     }
 
     @Test
-    fun anOpenSquareHasFourBoundaries() {
+    fun rule_10_1_anOpenSquareHasFourBoundaries() {
         val square = Mesh(floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 1f, 1f, 0f, 0f, 1f, 0f), intArrayOf(0, 1, 2, 0, 2, 3))
         assertEquals(4, count(square))
         assertEquals(4, FeatureEdges().of(square, camera).segmentCount)
@@ -62,8 +62,35 @@ class FeatureEdgesTest {
         assertEquals(4, FeatureEdges().of(twisted, camera).segmentCount)
     }
 
+    /** Normals of equal length and direction: the cosine is exactly that of the limit. */
     @Test
-    fun anEdgeOfThreeTrianglesIsACrease() {
+    fun rule_10_1_anAngleOfExactlyTheLimitIsNoCrease() {
+        val square = Mesh(floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 1f, 1f, 0f, 0f, 1f, 0f), intArrayOf(0, 1, 2, 0, 2, 3))
+        assertEquals(4, count(square, 0.0))
+        val bent = Mesh(square.positions.copyOf().also { it[11] = 1e-3f }, square.triangles)
+        assertEquals(5, count(bent, 0.0))
+        assertEquals(4, count(bent, 0.1))
+    }
+
+    /** The eye is in the plane of one face of a wedge: that face shows its back. */
+    @Test
+    fun rule_10_1_aFaceThatIsSeenFromTheSideShowsItsBack() {
+        val positions = floatArrayOf(0f, 0f, 0f, 0f, 0f, -1f, 1f, 0f, 0f, 0f, -1f, 0f)
+        val wedge = Mesh(positions, intArrayOf(0, 1, 2, 0, 3, 1))
+        fun silhouettes(eye: Vector3d): Int {
+            val view = Camera.perspective(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 30.0, 1.0, 100.0)
+            return FeatureEdges(180.0).of(wedge, view).segmentCount - 4
+        }
+
+        // The front of one face shows downward, that of the other one to the right
+        assertEquals(0, silhouettes(Vector3d(3.0, -1.0, 9.0)), "front and front")
+        assertEquals(1, silhouettes(Vector3d(3.0, 1.0, 9.0)), "back and front")
+        assertEquals(1, silhouettes(Vector3d(3.0, 0.0, 9.0)), "from the side, and front")
+        assertEquals(0, silhouettes(Vector3d(-3.0, 0.0, 9.0)), "from the side, and back")
+    }
+
+    @Test
+    fun rule_10_1_anEdgeOfThreeTrianglesIsACrease() {
         val fan = Mesh(
             floatArrayOf(0f, 0f, 0f, 0f, 1f, 0f, 1f, 0f, 0f, -1f, 0f, 0.01f, -1f, 0f, -0.01f),
             intArrayOf(0, 1, 2, 0, 1, 3, 0, 1, 4),
@@ -72,7 +99,7 @@ class FeatureEdgesTest {
     }
 
     @Test
-    fun defectsAreNoEdges() {
+    fun rule_10_1_defectsAreNoEdges() {
         val cube = Solids.cube()
         val doubled = Mesh(cube.positions, cube.triangles + cube.triangles.reversed().toIntArray())
         assertEquals(12, count(doubled), "duplicate triangles count once")

@@ -4,6 +4,8 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
+import dev.lazyz.Srgb
+import java.util.Random
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -25,7 +27,7 @@ class VerticalGradientTest {
     }
 
     @Test
-    fun transparentPixelsShowTheGradient() {
+    fun rule_6_15_transparentPixelsShowTheGradient() {
         // Codes at 1/8, 3/8, 5/8 and 7/8 of the way
         val rows = List(4) { row(it, 4, 0).single() }
         val expected = listOf(0xFF2C342A, 0xFF645C1E, 0xFF9C8412, 0xFFD4AC06).map { it.toInt() }
@@ -33,13 +35,13 @@ class VerticalGradientTest {
     }
 
     @Test
-    fun opaquePixelsAreUnchanged() {
+    fun rule_6_15_opaquePixelsAreUnchanged() {
         val codes = IntArray(256) { 0xFF shl 24 or (it * 0x10101) }
         assertArrayEquals(codes, row(5, 9, *codes))
     }
 
     @Test
-    fun translucentPixelsAreMixedInLinearLight() {
+    fun rule_6_15_translucentPixelsAreMixedInLinearLight() {
         val half = row(1, 3, 0x80FFFFFF.toInt()).single()
         val behind = Rgba.ofArgb(row(1, 3, 0).single())
         val expected = (128 + 127 * behind.red) / 255
@@ -50,6 +52,30 @@ class VerticalGradientTest {
         val whites = List(256) { row(1, 3, it shl 24 or 0xFFFFFF).single() and 0xFF }
         assertEquals(whites.sorted(), whites)
         assertTrue(whites.toSet().size > 100)
+    }
+
+    /** The formula of the contract, for all alphas and codes, in rows of pictures of any height. */
+    @Test
+    fun rule_6_15_pixelsAreThoseOfTheFormula() {
+        val random = Random(615)
+        for (height in listOf(1, 2, 7, 480, 100_003)) {
+            val y = random.nextInt(height)
+            for (alpha in 0..254) {
+                val front = IntArray(32) { alpha shl 24 or (random.nextInt() and 0xFFFFFF) }
+                val actual = row(y, height, *front.copyOf())
+                for ((i, color) in front.withIndex()) {
+                    fun light(shift: Int): Float {
+                        val (a, b) = listOf(top, bottom).map { it.toArgb() ushr shift and 0xFF }
+                        val behind = Srgb.decode((a + (b - a) * ((y + 0.5) / height)) / 255.0)
+                        val own = Srgb.decode((color ushr shift and 0xFF) / 255.0).toFloat()
+                        return ((alpha * own.toDouble() + (255 - alpha) * behind) / 255.0).toFloat()
+                    }
+                    assertEquals(Rgba(light(16), light(8), light(0)).toArgb(), actual[i]) {
+                        "$y of $height, %08x".format(color)
+                    }
+                }
+            }
+        }
     }
 
     @Test

@@ -13,6 +13,7 @@ import dev.lazyz.world.material.TextureFilter
 import dev.lazyz.world.material.TextureWrap
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
+import java.util.Random
 import kotlin.math.abs
 import kotlin.math.sqrt
 import org.joml.Vector3d
@@ -49,7 +50,7 @@ class MatcapTest {
     }
 
     @Test
-    fun aSphereLooksLikeThePicture() {
+    fun rule_6_14_aSphereLooksLikeThePicture() {
         val scene = Scene(listOf(Sphere(Vector3d(3.0, 1.0, -2.0), 1.0, Material())))
         for (azimuth in listOf(0.0, 30.0, 200.0)) {
             val camera = Camera.fit(azimuth, 25.0, kind = Fit.ORTHOGRAPHIC, margin = 0.0).camera(scene, 1.0)
@@ -66,7 +67,7 @@ class MatcapTest {
 
     /** At the edge of the picture, too: its axes turn with the direction to the point. */
     @Test
-    fun withPerspectiveTheEdgeOfASphereIsTheEdgeOfThePicture() {
+    fun rule_6_14_withPerspectiveTheEdgeOfASphereIsTheEdgeOfThePicture() {
         val sphere = Sphere(Vector3d(1.5, 0.8, 0.0), 1.0, Material())
         val camera = Camera.perspective(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 60.0, 1.0, 10.0)
         val image = picture(Scene(listOf(sphere)), camera)
@@ -82,7 +83,7 @@ class MatcapTest {
 
     /** Points of a scene far away are relative to its origin, and so is the eye. */
     @Test
-    fun withPerspectiveASceneFarAwayLooksTheSame() {
+    fun rule_6_14_withPerspectiveASceneFarAwayLooksTheSame() {
         val positions = floatArrayOf(-1f, -1f, 0f, 1f, -1f, 0f, 1f, 1f, 0f, -1f, 1f, 0f)
         val normals = floatArrayOf(-1f, -1f, 1f, 1f, -1f, 1f, 1f, 1f, 1f, -1f, 1f, 1f)
         val pictures = listOf(Vector3d(), Vector3d(4000.0, -2000.0, 1000.0)).map { origin ->
@@ -94,8 +95,59 @@ class MatcapTest {
         assertTrue(pictures[0].argb.toSet().size > 100)
     }
 
+    /** Bit for bit, as the contract has it, in single precision. */
     @Test
-    fun aTintMultiplies() {
+    fun rule_6_14_coloursAreThoseOfTheFormula() {
+        val random = Random(614)
+        val eye = Vector3d(1.0, 2.0, 5.0)
+        val perspective = Camera.perspective(eye, Vector3d(), Vector3d(0.2, 1.0, 0.0), 60.0, 1.0, 10.0)
+        val parallel = Camera.orthographic(eye, Vector3d(), Vector3d(0.2, 1.0, 0.0), 4.0, 1.0, 10.0)
+        val origin = Vector3d(0.5, -0.25, 0.125)
+        val tint = Rgba(0.9f, 0.8f, 0.7f, 0.6f)
+        val fragment = Fragment()
+        for (camera in listOf(perspective, parallel)) {
+            val matcap = Matcap(texture, camera, origin, tint)
+            repeat(500) {
+                fun number() = 2 * random.nextFloat() - 1
+                val n = FloatArray(3) { number() }
+                val p = FloatArray(3) { number() }
+                fragment.moveTo(0, 0)
+                fragment.normalX = n[0]
+                fragment.normalY = n[1]
+                fragment.normalZ = n[2]
+                fragment.worldX = p[0]
+                fragment.worldY = p[1]
+                fragment.worldZ = p[2]
+                matcap.shade(fragment)
+                val toEye = floatArrayOf(0.5f - p[0], 2.25f - p[1], 4.875f - p[2])
+                val color = expected(camera, n, if (camera === perspective) toEye else null)
+                val actual = listOf(fragment.red, fragment.green, fragment.blue, fragment.alpha)
+                val tinted = listOf(color[0] * tint.red, color[1] * tint.green, color[2] * tint.blue, tint.alpha)
+                assertEquals(tinted, actual)
+            }
+        }
+    }
+
+    private fun expected(camera: Camera, normal: FloatArray, toEye: FloatArray?): FloatArray {
+        fun along(x: Double, y: Double, z: Double, v: FloatArray): Float {
+            val axis = camera.toWorldDirection(x, y, z)
+            return axis.x.toFloat() * v[0] + axis.y.toFloat() * v[1] + axis.z.toFloat() * v[2]
+        }
+        fun inView(v: FloatArray) =
+            floatArrayOf(along(1.0, 0.0, 0.0, v), along(0.0, 1.0, 0.0, v), along(0.0, 0.0, 1.0, v))
+        fun length(v: FloatArray) = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
+        val n = inView(normal)
+        val far = toEye?.let { inView(it) }
+        val v = if (far == null) floatArrayOf(0f, 0f, 1f) else FloatArray(3) { far[it] / length(far) }
+        val e = sqrt(v[0] * v[0] + v[2] * v[2])
+        val k = 0.49f / length(n)
+        val s = (n[0] * v[2] - n[2] * v[0]) / e
+        val t = (n[1] * (v[2] * v[2] + v[0] * v[0]) - v[1] * (n[0] * v[0] + n[2] * v[2])) / e
+        return FloatArray(4).also { texture.sample(0.5f + k * s, 0.5f - k * t, it) }
+    }
+
+    @Test
+    fun rule_6_14_aTintMultiplies() {
         val scene = Scene(listOf(Sphere(Vector3d(), 1.0, Material())))
         val camera = Camera.fit(0.0, 0.0).camera(scene, 1.0)
         val plain = Rgba.ofArgb(picture(scene, camera).argb(70, 30))
@@ -105,7 +157,7 @@ class MatcapTest {
     }
 
     @Test
-    fun withoutANormalTheMiddleIsShown() {
+    fun rule_6_14_withoutANormalTheMiddleIsShown() {
         val camera = Camera.fit().camera(Scene(listOf(Sphere(Vector3d(), 1.0, Material()))), 1.0)
         val fragment = Fragment()
         fragment.moveTo(0, 0)

@@ -24,6 +24,25 @@ class ContoursTest {
         assertEquals(0, contours.openCount)
     }
 
+    /** Opposite segments cancel, and others count once however often they are there. */
+    @Test
+    fun rule_10_5_aContourHasEachSegmentOnce() {
+        val corners = listOf(floatArrayOf(0f, 0f, 0f), floatArrayOf(1f, 0f, 0f), floatArrayOf(1f, 1f, 0f))
+        var open = 0
+        fun loops(vararg segments: Pair<Int, Int>): List<List<Float>> {
+            val contours = Contours()
+            for ((from, to) in segments) contours.add(corners[from], corners[to])
+            return contours.loops().map { it.toList() }.also { open = contours.openSegments.size }
+        }
+        val triangle = loops(0 to 1, 1 to 2, 2 to 0)
+        assertEquals(9, triangle.single().size)
+        assertEquals(triangle, loops(0 to 1, 1 to 2, 2 to 0, 0 to 1, 1 to 2))
+        assertEquals(triangle, loops(0 to 1, 1 to 0, 1 to 2, 2 to 0, 0 to 1))
+        assertEquals(0, open)
+        assertEquals(emptyList<List<Float>>(), loops(0 to 1, 1 to 2, 2 to 0, 1 to 0))
+        assertEquals(2, open, "segments that are left")
+    }
+
     private companion object {
         const val MANY = 300_000
     }

@@ -1,5 +1,6 @@
 package dev.lazyz.sections
 
+import dev.lazyz.Fragment
 import dev.lazyz.Rgba
 import dev.lazyz.drawing.Solids
 import dev.lazyz.world.Scene
@@ -14,6 +15,7 @@ import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
 import dev.lazyz.world.surface.Vertex
+import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertSame
@@ -57,7 +59,7 @@ class SectionTest {
     }
 
     @Test
-    fun aCubeIsCapped() {
+    fun rule_10_5_aCubeIsCapped() {
         val half = cut(listOf(Solids.cube()), SectionPlane.x(0.25))
         assertEquals(emptyList<String>(), half.warnings)
         assertEquals(1, caps(half).single().contours.size)
@@ -71,7 +73,7 @@ class SectionTest {
     }
 
     @Test
-    fun aTorusHasTwoContours() {
+    fun rule_10_5_aTorusHasTwoContours() {
         val torus = Solids.torus(1.0, 0.4, 96, 48)
         val whole = volume(SectionedScene(Scene(listOf(torus)), emptyList()))
         val across = cut(listOf(torus), SectionPlane.x(0.013))
@@ -88,7 +90,7 @@ class SectionTest {
     }
 
     @Test
-    fun aCavityStaysOpen() {
+    fun rule_10_5_aCavityStaysOpen() {
         val inside = Solids.box(-0.5f, -0.5f, -0.5f, 0.5f, 0.5f, 0.5f)
         val outside = Solids.cube()
         val hollow = Mesh(
@@ -101,7 +103,7 @@ class SectionTest {
     }
 
     @Test
-    fun cutsThroughVerticesAndAlongFacesWork() {
+    fun rule_10_4_cutsThroughVerticesAndAlongFacesWork() {
         val cube = Solids.cube()
 
         // Through four edges, and so through vertices of diagonals
@@ -136,7 +138,7 @@ class SectionTest {
     }
 
     @Test
-    fun severalPlanesLeaveWhatAllKeep() {
+    fun rule_10_5_severalPlanesLeaveWhatAllKeep() {
         val corner =
             cut(listOf(Solids.cube()), SectionPlane.x(0.0), SectionPlane.y(0.5), SectionPlane.z(-0.5).reversed())
         assertEquals(emptyList<String>(), corner.warnings)
@@ -145,7 +147,7 @@ class SectionTest {
     }
 
     @Test
-    fun openMeshesGetAWarningAndNoCap() {
+    fun rule_10_5_openMeshesGetAWarningAndNoCap() {
         val cube = Solids.cube()
         val open = Mesh(cube.positions, cube.triangles.copyOf(cube.triangles.size - 6))
         val half = cut(listOf(open), SectionPlane.y(0.0))
@@ -169,7 +171,44 @@ class SectionTest {
     }
 
     @Test
-    fun otherSurfacesAreCut() {
+    fun rule_10_4_whatDiffersFromThePlaneByRoundingIsOnIt() {
+        val random = Random(104)
+        repeat(1000) {
+            val plane = SectionPlane(Vector3d(random.nextGaussian(), random.nextGaussian(), 1.0), random.nextGaussian())
+            val (x, y) = List(2) { 100 * random.nextGaussian() }
+            val z = (plane.distance - plane.normal.x() * x - plane.normal.y() * y) / plane.normal.z()
+            assertEquals(0.0, plane.height(x, y, z))
+            val beside = 1e-9 * (1 + StrictMath.abs(x) + StrictMath.abs(y) + StrictMath.abs(z))
+            assertTrue(plane.height(x, y, z + beside) > 0.0 && plane.height(x, y, z - beside) < 0.0)
+        }
+    }
+
+    /** Two triangles with a side in common, in two meshes and in two orders: the same bits, those of the contract. */
+    @Test
+    fun rule_10_4_newVerticesDependOnPositionsOnly() {
+        val random = Random(105)
+        repeat(300) {
+            // Ends of different sizes, so that it matters from which end the new vertex is computed
+            val size = FloatArray(4) { 1f / (1 shl random.nextInt(28)) }
+            val p = FloatArray(12) { size[it / 3] * (random.nextFloat() * 2 - 1) }
+            val plane = SectionPlane(Vector3d(random.nextGaussian(), random.nextGaussian(), 1.0), 1e-9)
+            val (f, g) = listOf(0, 3).map { plane.height(p[it].toDouble(), p[it + 1].toDouble(), p[it + 2].toDouble()) }
+            if (f * g >= 0.0) return@repeat
+            val meshes = listOf(intArrayOf(0, 1, 2), intArrayOf(1, 0, 3)).map { Mesh(p, it) }
+            val (first, second) = if (p[0] < p[3]) listOf(0, 3) else listOf(3, 0)
+            val t = if (first == 0) f / (f - g) else g / (g - f)
+            val expected = (0 until 3).map {
+                (p[first + it] + t * (p[second + it].toDouble() - p[first + it])).toFloat()
+            }
+            for (mesh in cut(meshes, plane).scene.surfaces.filterIsInstance<Mesh>()) {
+                val vertices = mesh.positions.toList().chunked(3)
+                assertTrue(expected in vertices) { "$expected is not in $vertices" }
+            }
+        }
+    }
+
+    @Test
+    fun rule_10_4_otherSurfacesAreCut() {
         val square = listOf(Vertex(0.0, 0.0, 0.0), Vertex(2.0, 0.0, 0.0), Vertex(2.0, 2.0, 0.0), Vertex(0.0, 2.0, 0.0))
         val surfaces = listOf(
             Polygon(listOf(square)), Points(floatArrayOf(0f, 0f, 0f, 3f, 0f, 0f)),
@@ -184,7 +223,7 @@ class SectionTest {
     }
 
     @Test
-    fun newVerticesHaveAttributesInBetween() {
+    fun rule_10_4_newVerticesHaveAttributesInBetween() {
         val triangle = Mesh(
             floatArrayOf(0f, 0f, 0f, 4f, 0f, 0f, 0f, 4f, 0f), intArrayOf(0, 1, 2),
             uvs = floatArrayOf(0f, 0f, 1f, 0f, 0f, 1f), colors = FloatArray(12) { if (it / 4 == 1) 1f else 0f },
@@ -198,7 +237,7 @@ class SectionTest {
     }
 
     @Test
-    fun capsHaveTheColourOfTheModel() {
+    fun rule_10_5_capsHaveTheColourOfTheModel() {
         val texture = Texture(2, 1, intArrayOf(0xFFFF0000.toInt(), 0xFF000000.toInt()))
         val metal = Material(Rgba(1f, 0.5f, 0.5f), texture).withMetallicRoughness(MetallicRoughness(0.25f, 0.5f))
         val cap = caps(cut(listOf(Solids.cube(metal)), SectionPlane.x(0.0))).single().material
@@ -207,9 +246,32 @@ class SectionTest {
         assertEquals(0f, cap.baseColor.green)
     }
 
+    @Test
+    fun rule_10_5_aStripeIncludesItsFirstLine() {
+        val hatching = Hatching(0.5, 0.25, Rgba(1f, 0f, 0f), Rgba(0f, 1f, 0f, 0.5f))
+        fun isStripe(x: Float, y: Float, z: Float): Boolean {
+            val fragment = Fragment()
+            fragment.moveTo(0, 0)
+            fragment.worldX = x
+            fragment.worldY = y
+            fragment.worldZ = z
+            hatching.shade(fragment)
+            assertEquals(if (fragment.red == 1f) 1f else 0.5f, fragment.alpha)
+            return fragment.red == 1f
+        }
+
+        // A stripe is 1/8 wide, and another one follows at 1/2
+        val places = mapOf(0f to true, 0.124f to true, 0.125f to false, 0.499f to false, 0.5f to true, -0.001f to false)
+        for ((place, expected) in places) {
+            assertEquals(expected, isStripe(place, 0f, 0f)) { "$place" }
+            assertEquals(expected, isStripe(place - 1f, 2f, -1f)) { "$place" }
+        }
+        assertTrue(isStripe(-0.5f, 0f, 0f))
+    }
+
     /** A cut opens the view of inner walls, which show their backs. */
     @Test
-    fun whatRemainsShowsBothSides() {
+    fun rule_10_4_whatRemainsShowsBothSides() {
         val cube = Solids.cube(Material(sides = Sides.FRONT))
         val cut = cut(listOf(cube), SectionPlane.x(0.0)).scene.surfaces.filterIsInstance<Mesh>()
         assertEquals(listOf(Sides.BOTH), cut.map { it.material.sides })

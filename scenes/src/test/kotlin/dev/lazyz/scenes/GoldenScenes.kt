@@ -2,8 +2,10 @@ package dev.lazyz.scenes
 
 import dev.lazyz.FillRule
 import dev.lazyz.Rgba
+import dev.lazyz.Shader
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.lighting.GroundShadow
+import dev.lazyz.lighting.Matcap
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Falloff
@@ -15,6 +17,7 @@ import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap
 import dev.lazyz.world.material.Shading
 import dev.lazyz.world.material.Sides
@@ -52,6 +55,7 @@ internal object GoldenScenes {
         },
     )
 
+    /** By id. */
     val all: Map<String, () -> Scene> = Shading.entries.associate { shading ->
         shading.name.lowercase() to { scene(shown(shining(shading))) }
     } + mapOf(
@@ -87,6 +91,15 @@ internal object GoldenScenes {
         "anisotropic" to { scene(floors(MipFilter.ANISOTROPIC)) },
         "occluded" to { occluded(scene(shown(metallic()) + wall()).withEnvironment(Environment.USUAL)) },
         "on-ground" to { onGround(scene(shown(shining(Shading.BLINN_PHONG)))) },
+        "mirrored" to { scene(mirrored()) },
+        "normal-map" to { scene(bumpy()) },
+        "matcap" to { shadedBy { Matcap(smooth(leaf), it, tint = Rgba(0.9f, 1f, 0.8f)) } },
+        "matcap-orthographic" to {
+            val camera = Camera.orthographic(
+                Vector3d(1.0, 2.0, 6.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 5.0, 1.0, 20.0,
+            )
+            shadedBy(camera) { Matcap(leaf, it) }
+        },
     )
 
     private val spot = Light.Spot(
@@ -113,11 +126,41 @@ internal object GoldenScenes {
         return listOf(floor, Sphere(Vector3d(0.3, 0.6, 0.0), 1.0, material))
     }
 
+    private fun smooth(texture: Texture) =
+        texture.withSampling(TextureFilter.BILINEAR, TextureWrap.REPEAT, TextureWrap.REPEAT)
+
+    private fun shadedBy(viewpoint: Camera = camera, shader: (Camera) -> Shader): Scene {
+        val material = Material(shader = shader(viewpoint))
+        return scene(shown(material) + behind(material, 1)).withViewpoint(viewpoint)
+    }
+
+    /** A relief under lights and in the studio, also on faces seen from behind. */
+    private fun bumpy(): List<Surface> {
+        val relief = smooth(leaf.withEncoding(TextureEncoding.LINEAR))
+        val transform = UvTransform(0.8, 1.1, 15.0, 0.2, 0.1)
+        val map = NormalMap(TextureMap(relief, transform = transform), 0.7f)
+        val plastic = shining(Shading.PHONG).withNormalMap(map)
+        val metal = plastic.withMetallicRoughness(MetallicRoughness(0.6f, 0.4f))
+        return (listOf(sheet(plastic)) + behind(metal, 1) + behind(plastic, -1)).map {
+            (it as Mesh).withTangents(transform = transform)
+        }
+    }
+
+    /** Two squares with a texture that is mirrored along one axis, or along both, and read far beyond its sides. */
+    private fun mirrored(): List<Surface> = List(2) { i ->
+        val wrap = listOf(TextureWrap.MIRROR, TextureWrap.REPEAT)
+        val texture = leaf.withSampling(TextureFilter.entries[i], TextureWrap.MIRROR, wrap[i], MipFilter.entries[i])
+        square(i * 2.2 - 2.2, -1.0, 2.6f + i, texture)
+    }
+
     private fun occluded(scene: Scene) = scene.withAmbientVisibility(AmbientOcclusion.of(scene, 48, 64))
 
     private fun onGround(scene: Scene): Scene {
         val shadow = GroundShadow.of(scene)
-        return scene.withSurfaces(scene.surfaces + shadow).withViewpoint(shadow.camera(camera))
+        val above = Camera.perspective(
+            Vector3d(2.0, 5.0, 9.0), Vector3d(0.0, -1.0, 0.0), Vector3d(0.0, 1.0, 0.0), 50.0, 1.0, 30.0,
+        )
+        return scene.withSurfaces(scene.surfaces + shadow).withViewpoint(shadow.camera(above))
     }
 
     private fun scene(surfaces: List<Surface>) = Scene(surfaces, lights, camera, Rgba(0.2f, 0.3f, 0.5f))
@@ -185,14 +228,16 @@ internal object GoldenScenes {
         val filter = TextureFilter.entries[i % 2]
         val wrap = listOf(TextureWrap.REPEAT, TextureWrap.CLAMP)
         val texture = leaf.withSampling(filter, wrap[i / 2], wrap[1 - i / 2])
-        val x = i % 2 * 2.2 - 2.2
-        val y = i / 2 * 2.0 - 2.0
-        val reach = 1.5f + i
+        square(i % 2 * 2.2 - 2.2, i / 2 * 2.0 - 2.0, 1.5f + i, texture)
+    }
+
+    /** A square with its lower left corner at ([x], [y]), and coordinates of the texture from -[reach] to [reach]. */
+    private fun square(x: Double, y: Double, reach: Float, texture: Texture): Polygon {
         val contour = listOf(
             Vertex(x, y, 0.5, -reach, reach), Vertex(x + 2, y, 0.0, reach, reach),
             Vertex(x + 2, y + 1.8, -0.5, reach, -reach), Vertex(x, y + 1.8, 0.0, -reach, -reach),
         )
-        Polygon(
+        return Polygon(
             listOf(contour),
             Material(Rgba(0.9f, 0.8f, 1f), texture, Shading.CONSTANT, emission = Rgba(0f, 0.1f, 0f)),
         )

@@ -8,9 +8,9 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
 
 /**
- * The identity of every built-in scene's picture, and of those of [GoldenScenes], committed: the machine, the JVM, its
- * compiler and the renderer have no say in a pixel (contract rules 6.3, 7.1 and 7.2). The build runs this class
- * interpreted, too; `.ci/other-processors` renders the same pictures on processors of other kinds.
+ * The identity of every picture of [Goldens], committed: the machine, the JVM, its compiler and the renderer have no
+ * say in a pixel (contract rules 6.3, 7.1 and 7.2). The build runs this class interpreted, too; `.ci/other-processors`
+ * renders the same pictures on processors of other kinds.
  *
  * After a change that is meant to change pictures, look at them, then take the new hashes from the failures.
  */
