@@ -25,6 +25,9 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     /** The samples of a pixel from its centre outward, as row times [factor] plus column. */
     private val fromCentre = (0 until factor * factor).sortedBy { square(it / factor) + square(it % factor) }
 
+    /** Which samples of the current pixel have their colour, by row times [factor] plus column. */
+    private val isShaded = BooleanArray(factor * factor)
+
     private fun square(position: Int): Int = (2 * position + 1 - factor) * (2 * position + 1 - factor)
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
@@ -39,16 +42,19 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
 
     /** Shades the pixel whose samples begin at column [left] of the region and row [top] of the raster. */
     private fun shade(left: Int, top: Int) {
-        for (row in 0 until factor) argb[row].fill(UNKNOWN, left, left + factor)
+        isShaded.fill(false)
         for (place in fromCentre) {
+            if (isShaded[place]) continue
             val row = place / factor
             val column = left + place % factor
-            if (argb[row][column] != UNKNOWN) continue
             val index = indices[row][column]
             val x = frame.region.columnStart + column
             val color = if (index == DepthTest.BACKGROUND) background else color(index, x, top + row)
-            for (other in 0 until factor) {
-                for (i in left until left + factor) if (indices[other][i] == index) argb[other][i] = color
+            for (other in fromCentre) {
+                val i = left + other % factor
+                if (indices[other / factor][i] != index) continue
+                argb[other / factor][i] = color
+                isShaded[other] = true
             }
         }
     }
@@ -69,9 +75,6 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     }.build()
 
     companion object {
-        /** Marks a sample that is not shaded yet. Only a background can have this colour, which does no harm. */
-        private const val UNKNOWN = 0x00FFFFFF
-
         /** Colour, depth and primitive. */
         private const val SAMPLE_BYTES = 12L
 
