@@ -38,6 +38,7 @@ import java.util.Set;
  * @param mixed visible samples whose colour is interpolated
  * @param mixedFaces pairs of a triangle and a tile in which it is visible, and its colour is interpolated
  * @param rounds visible samples of the expensive shader of S5
+ * @param lit visible samples whose light is computed
  */
 record FrameCounts(
         String scene,
@@ -55,7 +56,8 @@ record FrameCounts(
         long faces,
         long mixed,
         long mixedFaces,
-        long rounds) {
+        long rounds,
+        long lit) {
     /** Width and height of a tile, samples. */
     static final int TILE = new RenderOptions().getTileSize();
 
@@ -72,6 +74,11 @@ record FrameCounts(
     /** Number of triangles and tiles in which each must be set up at least once. */
     long setUps() {
         return small + faces;
+    }
+
+    /** Pairs of a triangle and a tile in which it is visible, and its normals and positions are interpolated. */
+    long litFaces() {
+        return lit > 0 ? mixedFaces : 0;
     }
 
     /** Bytes of a mesh: positions, vertex numbers, and vertices on the grid. */
@@ -154,7 +161,8 @@ record FrameCounts(
                     faces,
                     mixed,
                     mixedFaces,
-                    triangles.coloring() == Coloring.ROUNDS ? visible : 0);
+                    triangles.coloring() == Coloring.ROUNDS ? visible : 0,
+                    triangles.coloring() == Coloring.LIT ? visible : 0);
         }
 
         /** Counts the fragments of a primitive, and the tiles in which it has some. */
@@ -211,7 +219,7 @@ record FrameCounts(
         }
 
         private boolean isMixed(int index) {
-            if (triangles.coloring() == Coloring.ROUNDS) {
+            if (triangles.coloring() == Coloring.ROUNDS || triangles.coloring() == Coloring.LIT) {
                 return true;
             }
             byte[] rgb = triangles.rgb();

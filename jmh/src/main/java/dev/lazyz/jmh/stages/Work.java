@@ -147,6 +147,15 @@ record Work(
                     0,
                     "reads 3 colours of 4 floats"),
             new Work(
+                    Stage.SET_UP,
+                    "lit triangles by tile",
+                    FrameCounts::litFaces,
+                    Data.MESH,
+                    72,
+                    0,
+                    0,
+                    "reads 3 positions and 3 normals"),
+            new Work(
                     Stage.COVER,
                     "small triangles",
                     FrameCounts::small,
@@ -221,9 +230,18 @@ record Work(
                     1,
                     "3 products with 1/w, 2 sums, a maximum; the division by the sum"),
             new Work(
+                    Stage.INTERPOLATE,
+                    "lit samples",
+                    FrameCounts::lit,
+                    Data.TILE,
+                    24,
+                    36,
+                    0,
+                    "writes 6 floats; 6 components of 6"),
+            new Work(
                     Stage.SHADE,
                     "interpolated samples",
-                    counts -> counts.mixed() - counts.rounds(),
+                    counts -> counts.mixed() - counts.rounds() - counts.lit(),
                     Data.TILE,
                     24,
                     3,
@@ -238,6 +256,16 @@ record Work(
                     1024,
                     0,
                     "64 rounds of 32 of 32 bits"),
+            new Work(
+                    Stage.SHADE,
+                    "lit samples",
+                    FrameCounts::lit,
+                    Data.TILE,
+                    36,
+                    17.5,
+                    1,
+                    "reads 6 floats, writes 3; 35 of 32 bits: 8 for the unit normal, 12 for each of 2 lights, 3 for the "
+                            + "product; its root and division, of 32 bits"),
             new Work(
                     Stage.ENCODE,
                     "interpolated samples",

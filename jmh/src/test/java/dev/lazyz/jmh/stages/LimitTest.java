@@ -49,6 +49,6 @@ class LimitTest {
     }
 
     private static FrameCounts vertices(long count, int perspective) {
-        return new FrameCounts("scene", 64, count, perspective, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+        return new FrameCounts("scene", 64, count, perspective, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
     }
 }
