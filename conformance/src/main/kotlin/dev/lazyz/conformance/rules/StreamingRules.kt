@@ -75,7 +75,8 @@ public sealed interface StreamingRules : RulesForOne {
     /** A frame of streamed meshes gives the same picture as one in memory, or is refused. */
     @Rule(
         intent = "A renderer that accepts a streamed frame gives the picture that the same triangles in memory have.",
-        look = "Look at ties between parts, whose order is that of the scene, and at the indices of later parts. Call " +
+        look =
+        "Look at ties between parts, whose order is that of the scene, and at the indices of later parts. Call " +
             "FrameParts' refusal if primitives are read more than once.",
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)

@@ -46,7 +46,7 @@ public sealed interface UseRules : RulesForOne {
         for (case in cases + parts + cases) Judgement(renderer, case).equalsReference().equalsItsImage()
     }
 
-    /** A renderer that renders frames of many sizes one after the other, by two threads, gives the right picture of each. */
+    /** A renderer that renders frames of many sizes one after the other, by two threads, renders each correctly. */
     @Rule(
         intent = "What a renderer keeps for its next frame, such as arrays, has no effect on the picture.",
         look = "Look for arrays that go back to a pool twice, or while they are still in use, and for old contents.",

@@ -21,7 +21,7 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /** Renderers that keep, reuse or count the wrong things. */
 internal object BrokenReuse {
-    /** Arrays are made for the first frame of several bands, and later frames of several bands do not get longer ones. */
+    /** Arrays are made for the first frame of several bands, and not made longer for a later one. */
     fun rowsOfTheFirstTallFrame(): BrokenRenderer {
         var most = 0
         return BrokenRenderer("rows-of-the-first-tall-frame") { frame, sink ->

@@ -79,8 +79,8 @@ record Contender(String name, Kind kind, List<String> command) {
     }
 
     /**
-     * Returns the command line that draws a scene with {@code samples} x {@code samples} samples a pixel. Lazy Z gets the
-     * scene's name, other programs get the file; of them, only llvmpipe can draw more than one sample.
+     * Returns the command line that draws a scene with {@code samples} x {@code samples} samples a pixel. Lazy Z gets
+     * the scene's name, other programs get the file; of them, only llvmpipe can draw more than one sample.
      */
     List<String> drawing(String scene, String file, int side, int samples, int threads) {
         List<String> words = new ArrayList<>(command);

@@ -261,8 +261,8 @@ public final class PerformancePage {
     }
 
     /**
-     * Returns a table of anti-aliased pictures with a row for each scene and raster: the time of each renderer, how many
-     * times faster than the base it is, and how many times as long as its picture with one sample a pixel takes.
+     * Returns a table of anti-aliased pictures with a row for each scene and raster: the time of each renderer, how
+     * many times faster than the base it is, and how many times as long as its picture with one sample a pixel takes.
      */
     private String smooth() {
         List<Results.Time> all =
@@ -290,8 +290,7 @@ public final class PerformancePage {
                                 .map(many -> number("; %.1f", many.median() / one.median())))
                         .findFirst()
                         .orElse("");
-                row.add(cell(
-                                times.stream().filter(time -> time.samples() > 1).toList(), base.scene(), contender)
+                row.add(cell(times.stream().filter(time -> time.samples() > 1).toList(), base.scene(), contender)
                         + factor);
             }
             rows.add(row);

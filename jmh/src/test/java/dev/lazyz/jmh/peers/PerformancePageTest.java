@@ -83,8 +83,8 @@ class PerformancePageTest {
 
     @Test
     void resultsOfASceneCanBeReplaced() {
-        Results results = new Results(
-                Map.of(), new ArrayList<>(RESULTS.times()), new ArrayList<>(RESULTS.pictures()), List.of());
+        Results results =
+                new Results(Map.of(), new ArrayList<>(RESULTS.times()), new ArrayList<>(RESULTS.pictures()), List.of());
         results.drop("S1");
         assertTrue(results.pictures().isEmpty());
         assertTrue(results.times().stream().noneMatch(PerformancePage::isCompared));

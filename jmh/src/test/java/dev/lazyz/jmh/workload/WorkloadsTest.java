@@ -139,10 +139,10 @@ class WorkloadsTest {
 
     @Test
     void litTrianglesHaveTheLightOfTheirScene() throws InterruptedException {
-        Scene scene = Workloads.scene("crossing")
-                .withLights(List.of())
-                .withMaterials(material -> new Material(Rgba.WHITE));
-        Image expected = new Tiled().render(scene.withBackground(Rgba.TRANSPARENT).frame(64, 64));
+        Scene scene =
+                Workloads.scene("crossing").withLights(List.of()).withMaterials(material -> new Material(Rgba.WHITE));
+        Image expected =
+                new Tiled().render(scene.withBackground(Rgba.TRANSPARENT).frame(64, 64));
         Image actual = new Tiled().render(Baked.lit("crossing", scene).scene().frame(64, 64));
         int different = 0;
         for (int i = 0; i < 64 * 64; i++) {

@@ -3,9 +3,9 @@ package dev.lazyz.scenes.pictures
 import java.text.Normalizer
 
 /**
- * Letters made of pixels for labels in pictures: the printable characters of ASCII, 5 columns wide. Letters with accents
- * are drawn without them, and other characters as `?`. Fonts of the machine would give other pictures on other machines.
- * Immutable and thread safe.
+ * Letters made of pixels for labels in pictures: the printable characters of ASCII, 5 columns wide. Letters with
+ * accents are drawn without them, and other characters as `?`. Fonts of the machine would give other pictures on other
+ * machines. Immutable and thread safe.
  */
 public object PixelFont {
     /** Columns of a letter, with the empty one that follows. */

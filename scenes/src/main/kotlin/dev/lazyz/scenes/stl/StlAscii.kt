@@ -12,8 +12,8 @@ import org.joml.Vector3dc
 /**
  * Reads the ASCII form: any number of solids, each a sequence of facets. Line breaks can be anywhere; only a solid's
  * name ends at one. A word that begins with `#` begins a comment, which ends with the line. The format allows three
- * vertices in a loop. Some programs write more; such a loop is triangulated. A missing `endsolid` at the end of the file
- * is reported as a warning.
+ * vertices in a loop. Some programs write more; such a loop is triangulated. A missing `endsolid` at the end of the
+ * file is reported as a warning.
  *
  * @param origin the point to subtract from all positions
  * @param lines the text
