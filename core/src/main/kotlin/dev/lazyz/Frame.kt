@@ -29,7 +29,8 @@ public class Frame internal constructor(
     /**
      * The primitives to render. The index in the list is the submission index, which resolves ties of depth. `size` has
      * constant cost. The triangles of a scene's opaque meshes become objects when the first element is accessed. If the
-     * frame is streamed, the list can only be iterated, which reads the primitives again each time.
+     * frame is streamed, the list can only be iterated, which reads the primitives again each time; `get` throws
+     * [IllegalArgumentException], so that a renderer that needs it refuses the frame.
      */
     public val primitives: List<Primitive> get() = content.primitives
 

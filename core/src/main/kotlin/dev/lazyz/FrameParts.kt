@@ -25,8 +25,9 @@ internal class FrameParts(val size: Int, val hasTranslucency: Boolean, private v
         override fun iterator(): Iterator<Primitive> =
             this@FrameParts.asSequence().flatMap { it.content().primitives.asSequence() }.iterator()
 
-        override fun get(index: Int): Primitive = throw UnsupportedOperationException(
-            "the primitives of a streamed frame can only be iterated, not accessed by index",
+        override fun get(index: Int): Primitive = throw IllegalArgumentException(
+            "the primitives of a streamed frame can only be iterated, not accessed by index: use 'tiled', 'zbuffer', " +
+                "'hybrid' or 'hierarchical', or load the whole model",
         )
     }
 }

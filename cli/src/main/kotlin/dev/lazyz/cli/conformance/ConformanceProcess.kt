@@ -8,8 +8,8 @@ import java.lang.management.ManagementFactory
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
+import kotlin.io.path.createDirectory
 import kotlin.io.path.createFile
-import kotlin.io.path.deleteIfExists
 import kotlin.io.path.exists
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
@@ -21,6 +21,9 @@ import kotlin.io.path.writeText
 internal class ConformanceProcess private constructor(private val folder: Path) {
     private val output = folder.resolve("output")
     private val done = folder.resolve("done")
+
+    /** For temporary files of the child process, so that those of other processes are not taken for the strategy's. */
+    private val temporary = folder.resolve("temporary")
 
     /** The file to which the child process writes its progress. */
     val journal: Path = folder.resolve("journal")
@@ -41,7 +44,7 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
     }
 
     private fun delete() {
-        for (file in listOf(output, done, journal, folder)) file.deleteIfExists()
+        folder.toFile().deleteRecursively()
     }
 
     private fun command(args: List<String>, seed: Long): List<String> {
@@ -49,7 +52,7 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         val options = ManagementFactory.getRuntimeMXBean().inputArguments.filter { option ->
             NOT_INHERITED.none { option.startsWith(it) }
         }
-        val own = listOf("-D$FOLDER=$folder", "-D$SEED=$seed")
+        val own = listOf("-D$FOLDER=$folder", "-D$SEED=$seed", "-D$TEMPORARY=$temporary")
         return listOf(java) + options + own + listOf("-cp", System.getProperty("java.class.path"), MAIN) + args
     }
 
@@ -59,12 +62,13 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
     companion object {
         private const val FOLDER = "zcli.conformance.folder"
         private const val SEED = "zcli.conformance.seed"
+        private const val TEMPORARY = "java.io.tmpdir"
         private const val MAIN = "dev.lazyz.cli.MainKt"
         private const val INCUBATOR = "WARNING: Using incubator modules"
 
         /** JVM options that the child process must not inherit. */
         private val NOT_INHERITED =
-            listOf("-agentlib:jdwp", "-XX:ArchiveClassesAtExit", "-Xlog:", "-D$FOLDER", "-D$SEED")
+            listOf("-agentlib:jdwp", "-XX:ArchiveClassesAtExit", "-Xlog:", "-D$FOLDER", "-D$SEED", "-D$TEMPORARY")
 
         /** Returns the object for this process if it is a child process; null in the parent. */
         fun current(): ConformanceProcess? = System.getProperty(FOLDER)?.let { ConformanceProcess(Path.of(it)) }
@@ -81,6 +85,7 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         fun run(args: List<String>, seed: Long, deadline: Duration, listener: RuleListener): Answer {
             val folder = Files.createTempDirectory("zcli-conformance")
             val process = ConformanceProcess(folder)
+            process.temporary.createDirectory()
             val early = EarlyEnd { process.delete() }
             try {
                 val outcome = Supervision(process.command(args, seed), process.journal, deadline)

@@ -14,6 +14,10 @@ import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.rendererJar
 import dev.lazyz.cli.zcli
 import java.nio.file.Path
+import java.util.concurrent.locks.LockSupport
+import kotlin.concurrent.thread
+import kotlin.io.path.createTempFile
+import kotlin.io.path.deleteIfExists
 import kotlin.io.path.exists
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
@@ -76,6 +80,28 @@ class ConformanceTest {
         val again = judge(*command.split(" ").drop(2).toTypedArray())
         fun failure(text: String) = text.substringAfter("FAILED").substringBefore("reproduce")
         assertEquals(failure(run.text), failure(again.text))
+    }
+
+    /** Another process, here a thread of this one, makes temporary files all the time. */
+    @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    fun filesOfOtherProcessesAreNotTheStrategys() {
+        val files = ArrayList<Path>()
+        val other = thread {
+            while (!Thread.interrupted()) {
+                files.add(createTempFile("lazyz-other"))
+                LockSupport.parkNanos(500_000)
+            }
+        }
+        try {
+            val rule = "rule_7_9_renderingsLeaveNothingBehind"
+            val run = zcli("conformance", "--quiet", "--strategy", "zbuffer", "--rule", rule).done()
+            assertTrue("zbuffer conforms: 1 rule, 1 passed" in run.text, run.text)
+        } finally {
+            other.interrupt()
+            other.join()
+            files.forEach { it.deleteIfExists() }
+        }
     }
 
     @Test

@@ -40,9 +40,9 @@ internal class Multitude private constructor(width: Int, height: Int, private va
         ).toArgb()
     }
 
-    /** Covers every [step]th column from [first] on at one [depth]. */
+    /** Covers every [step]th column from [first] until [columnEnd] at one [depth]. */
     private class Comb(
-        private val width: Int,
+        override val columnEnd: Int,
         override val rowEnd: Int,
         private val first: Int,
         private val step: Int,
@@ -52,15 +52,15 @@ internal class Multitude private constructor(width: Int, height: Int, private va
     ) : Primitive {
         override val rowStart: Int get() = 0
         override val columnStart: Int get() = first
-        override val columnEnd: Int get() = width
         override val leastDepth: Int get() = depth
         override val greatestDepth: Int get() = depth
 
-        fun covers(x: Int): Boolean = x >= first && (x - first) % step == 0
+        fun covers(x: Int): Boolean = x in first..<columnEnd && (x - first) % step == 0
 
         override fun spans(y: Int, spans: Spans) {
             if (y !in 0..<rowEnd) return
-            if (step == 1) spans.add(first, width) else for (x in first until width step step) spans.add(x, x + 1)
+            if (step == 1) return spans.add(first, columnEnd)
+            for (x in first until columnEnd step step) spans.add(x, x + 1)
         }
 
         override fun depth(x: Int, y: Int): Int = depth
@@ -73,6 +73,8 @@ internal class Multitude private constructor(width: Int, height: Int, private va
         private const val WIDE = 33_001
         private const val SIDE = 150
         private const val LAYERS = 70
+        private const val ROW = 2048
+        private const val ROW_LAYERS = 700
         private const val SHARE = 37
         private const val DISTANCE = 1 shl 16
 
@@ -84,6 +86,17 @@ internal class Multitude private constructor(width: Int, height: Int, private va
             val comb = Comb(WIDE, 1, 1, 2, DISTANCE, Rgba(0.8f, 0.2f, 0.5f), isTranslucent = false)
             val back = Comb(WIDE, 1, 0, 1, 2 * DISTANCE, Rgba(0.2f, 0.6f, 0.5f), isTranslucent = false)
             return Multitude(WIDE, 1, listOf(comb, back), "a primitive of more than 16,384 spans in a row")
+        }
+
+        /** More than a million fragments in one row, of primitives that begin and end at different columns. */
+        fun ofRow(): Multitude {
+            val combs = List(ROW_LAYERS) { i ->
+                val layer = i * SHARE % ROW_LAYERS
+                val color = Rgba(layer / ROW_LAYERS.toFloat(), 0.5f, 0.5f)
+                val end = ROW - layer / 2
+                Comb(end, 1, layer, 1, (ROW_LAYERS - layer) * DISTANCE, color, isTranslucent = false)
+            }
+            return Multitude(ROW, 1, combs, "$ROW_LAYERS primitives, most of them in each column of a row")
         }
 
         /** More than a million fragments of thin layers, whose order of submission is not that of depth. */

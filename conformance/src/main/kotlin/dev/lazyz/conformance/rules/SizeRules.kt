@@ -123,6 +123,17 @@ public sealed interface SizeRules : RulesForOne {
         Judgement(renderer(), case).equalsReference()
     }
 
+    /** More than a million fragments in one row, more than a renderer may want to hold at once. */
+    @Rule(
+        intent = "A row has any number of fragments, also if the renderer processes it in pieces.",
+        look = "Look for what a piece of a row knows of the spans that began in the piece before.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_5_1_nearestOfAMillionFragmentsOfARowIsVisible() {
+        val multitude = Multitude.ofRow()
+        Judgement(renderer(), multitude.case).equalsPicture(multitude.image)
+    }
+
     /** Dozens of layers, each nearly transparent; some of them may be opaque. */
     @Rule(
         intent = "Blending includes every fragment that shows through, however many there are.",

@@ -36,6 +36,13 @@ object BrokenSizes {
         Image(image.region, argb, image.depth, image.primitive, image.counters)
     }
 
+    /** A row is processed in two pieces if it has a million fragments; the second lacks what began in the first. */
+    fun forgetsWhatBeganBefore() = drawing("forgets-what-began-before") { frame ->
+        val second = frame.region.columnStart + 1_000_000 / maxOf(frame.primitives.size, 1)
+        val kept = frame.primitives.map { Sifted(it) { x, _ -> x < second || it.columnStart >= second } }
+        Frame(frame.raster, kept, frame.region)
+    }
+
     fun sixteenSpans() = spans("sixteen-spans-in-a-row", 16)
 
     fun spansIn14Bits() = spans("spans-in-14-bits", 1 shl 14)

@@ -184,7 +184,7 @@ class StreamedMeshTest {
     fun primitivesCanOnlyBeIterated() {
         val frame = Scene(listOf(sphere(), StreamedMesh(Pieces(mesh(6), 50)))).frame(20, 20)
         assertEquals(frame.primitives.size, frame.primitives.count { true })
-        assertThrows(UnsupportedOperationException::class.java) { frame.primitives[0] }
+        assertThrows(IllegalArgumentException::class.java) { frame.primitives[0] }
     }
 
     @Test

@@ -101,5 +101,6 @@ internal object RuleNames {
     val manyTiles = RendererConformance::rule_1_1_thousandsOfTilesAreDrawnCorrectly.name
     val counted = RendererConformance::rule_7_10_primitivesOneByOneAreCounted.name
     val streamed = RendererConformance::rule_7_5_streamedFramesGiveTheSamePicture.name
+    val millionOfARow = RendererConformance::rule_5_1_nearestOfAMillionFragmentsOfARowIsVisible.name
     val arrivals = RendererConformance::rule_8_1_promiseToStreamPrimitivesIsKept.name
 }

@@ -46,6 +46,11 @@ internal object SizeGallery {
             "primitives are sorted by nine bits of the band in which they begin",
             RuleNames.manyTiles,
         ),
+        Mutant(
+            BrokenSizes::forgetsWhatBeganBefore,
+            "a row is processed in pieces of a million fragments, and a piece lacks spans of the one before",
+            RuleNames.millionOfARow,
+        ),
         Mutant(BrokenSizes::seamAt256, "the first column of a tile of 256 is a copy of the one before", tiles),
         Mutant(BrokenSizes::sixteenSpans, "a primitive has at most 16 spans in a row", manySpans),
         Mutant(BrokenSizes::spansIn14Bits, "a primitive has at most 16,384 spans in a row", thousandsOfSpans),
