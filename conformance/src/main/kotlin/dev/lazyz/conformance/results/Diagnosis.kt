@@ -77,7 +77,7 @@ internal class Diagnosis private constructor(
             val showing = known.count { symptom in it.symptoms.orEmpty() }
             return when {
                 broken.size == 1 -> "it is the only broken rule"
-                symptom == null -> "the failures of the other rules do not explain this one"
+                symptom == null || showing == 0 -> "the failures of the other rules do not explain this one"
                 else -> "in $showing of ${known.size} failures ${symptom.words}"
             }
         }

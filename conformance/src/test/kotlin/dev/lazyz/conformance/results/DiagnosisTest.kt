@@ -100,6 +100,14 @@ class DiagnosisTest {
     }
 
     @Test
+    fun failuresThatShowNoSymptomExplainNothing() {
+        val failed = listOf(names.lostCounts, names.lost).map { Diagnosis.Broken(checkNotNull(SuiteRule.find(it)), null) }
+        for (cause in Diagnosis.ofBroken(failed).causes) {
+            assertEquals("the failures of the other rules do not explain this one", cause.why)
+        }
+    }
+
+    @Test
     fun whatOnlyShouldBeIsNamedAfterWhatMust() {
         val counters = arrayOf(Symptom.COUNTERS)
         val causes = causes(broken(names.told, *counters), broken(names.passes, *counters))
