@@ -42,6 +42,13 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
 
     /** Shades the pixel whose samples begin at column [left] of the region and row [top] of the raster. */
     private fun shade(left: Int, top: Int) {
+        val single = indices[0][left]
+        if (isSingle(single, left)) {
+            val place = fromCentre[0]
+            val color = color(single, frame.region.columnStart + left + place % factor, top + place / factor)
+            for (row in argb) row.fill(color, left, left + factor)
+            return
+        }
         isShaded.fill(false)
         for (place in fromCentre) {
             if (isShaded[place]) continue
@@ -49,7 +56,7 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
             val column = left + place % factor
             val index = indices[row][column]
             val x = frame.region.columnStart + column
-            val color = if (index == DepthTest.BACKGROUND) background else color(index, x, top + row)
+            val color = color(index, x, top + row)
             for (other in fromCentre) {
                 val i = left + other % factor
                 if (indices[other / factor][i] != index) continue
@@ -59,7 +66,14 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
         }
     }
 
+    /** Whether all samples of the pixel from column [left] of the region on show the primitive [index]. */
+    private fun isSingle(index: Int, left: Int): Boolean {
+        for (row in indices) for (i in left until left + factor) if (row[i] != index) return false
+        return true
+    }
+
     private fun color(index: Int, x: Int, y: Int): Int {
+        if (index == DepthTest.BACKGROUND) return background
         shadingCalls++
         fragment.moveTo(x, y)
         primitives[index].shade(fragment)

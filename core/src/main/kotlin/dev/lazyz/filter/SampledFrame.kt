@@ -50,7 +50,11 @@ public class SampledFrame internal constructor(
     /** Bytes held between the samples and the pixels, while the frame is rendered. */
     internal val filterBytes: Long
         get() {
-            val filter = if (isPlain) 0 else FilterSink.bytes(sampling.taps, pixels)
+            val filter = when {
+                isPlain -> 0
+                sampling.filter == PixelFilter.BOX -> BoxSink.bytes(pixels)
+                else -> FilterSink.bytes(sampling.taps, pixels)
+            }
             return filter + if (isShadedLate) PixelShading.bytes(frame, sampling.factor) else 0
         }
 
@@ -84,7 +88,10 @@ public class SampledFrame internal constructor(
      */
     internal fun render(renderer: Renderer, sink: RowSink, tap: (RowSink) -> RowSink): Counters {
         if (isPlain) return renderer.render(frame, tap(sink))
-        val filter = FilterSink(sampling.taps, frame, pixels, sink)
+        val filter = when (sampling.filter) {
+            PixelFilter.BOX -> BoxSink(sampling.factor, frame, pixels, sink)
+            else -> FilterSink(sampling.taps, frame, pixels, sink)
+        }
         if (!isShadedLate) return renderer.render(frame, tap(filter))
 
         // Find the visible primitives first, without their colours

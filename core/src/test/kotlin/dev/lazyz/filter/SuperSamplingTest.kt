@@ -7,6 +7,7 @@ import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Rgba
+import dev.lazyz.RowSink
 import dev.lazyz.Srgb
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.tiled.Tiled
@@ -39,7 +40,7 @@ class SuperSamplingTest {
     )
     private val raster = Raster(40, 30, Rgba.TRANSPARENT)
 
-    /** Passes the samples of [image] through the filter. */
+    /** Passes the samples of [image] through the filter; a box also through the plain form that all filters have. */
     private fun filtered(
         image: Image,
         factor: Int,
@@ -48,13 +49,20 @@ class SuperSamplingTest {
     ): Image {
         val raster = Raster(image.width, image.height).withDepthTest(test)
         val sampled = SuperSampling(factor, filter).of(Frame(raster, emptyList()))
-        val collector = Image.Collector(sampled.pixels)
-        val sink = FilterSink(sampled.sampling.taps, sampled.frame, sampled.pixels, collector)
-        for (y in 0 until image.height) {
-            val row = y * image.width until (y + 1) * image.width
-            sink.row(y, image.argb.sliceArray(row), image.depth.sliceArray(row), image.primitive.sliceArray(row))
+        fun through(make: (RowSink) -> RowSink): Image {
+            val collector = Image.Collector(sampled.pixels)
+            val sink = make(collector)
+            for (y in 0 until image.height) {
+                val row = y * image.width until (y + 1) * image.width
+                sink.row(y, image.argb.sliceArray(row), image.depth.sliceArray(row), image.primitive.sliceArray(row))
+            }
+            return collector.toImage(Counters.NONE)
         }
-        return collector.toImage(Counters.NONE)
+        val plain = through { FilterSink(sampled.sampling.taps, sampled.frame, sampled.pixels, it) }
+        if (filter == PixelFilter.BOX) {
+            assertEquals(plain, through { BoxSink(factor, sampled.frame, sampled.pixels, it) })
+        }
+        return plain
     }
 
     private fun image(side: Int, argb: (Int) -> Int, depth: (Int) -> Int = { it }, primitive: (Int) -> Int = { it }) =
@@ -62,6 +70,44 @@ class SuperSamplingTest {
             side, side, IntArray(side * side, argb), IntArray(side * side, depth), IntArray(side * side, primitive),
             Counters.NONE,
         )
+
+    @Test
+    fun rule_6_12_pixelsOfOneColourHaveIt() {
+        for (alpha in listOf(0, 1, 2, 127, 254, 255)) {
+            for (code in 0..255) {
+                val color = (alpha shl 24) or (code shl 16) or ((255 - code) shl 8) or code
+                for (argb in filtered(image(8, { color }), 4).argb) assertEquals(color, argb)
+            }
+        }
+    }
+
+    /** Samples are often equal to their neighbours, over a pixel, some pixels, or all but one sample of them. */
+    @Test
+    fun rule_6_12_runsOfEqualSamplesAreFilteredAsOthers() {
+        val random = Random(7)
+        for (factor in 2..5) {
+            repeat(60) {
+                val side = 6 * factor
+                var color = random.nextInt()
+                var primitive = 0
+                val lengths = listOf(1, factor - 1, factor, factor + 1, 3 * factor, side, 2 * side)
+                var left = 0
+                val colors = IntArray(side * side)
+                val primitives = IntArray(side * side)
+                for (i in colors.indices) {
+                    if (left-- == 0) {
+                        left = lengths[random.nextInt(lengths.size)] - 1
+                        color = if (random.nextBoolean()) -1 else random.nextInt()
+                        primitive = random.nextInt(3) - 1
+                    }
+                    colors[i] = color
+                    primitives[i] = primitive
+                }
+                fun depth(i: Int) = if (primitives[i] < 0) Int.MAX_VALUE else (i * 37) % 1000
+                filtered(image(side, { colors[it] }, ::depth, { primitives[it] }), factor)
+            }
+        }
+    }
 
     @Test
     fun rule_6_12_meansAreThoseOfExactArithmetic() {

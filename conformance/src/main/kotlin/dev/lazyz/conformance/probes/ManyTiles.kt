@@ -16,7 +16,8 @@ import java.util.Random
  */
 internal fun tallMeshes(salt: Long): List<FrameCase> {
     val random = Random(salt)
-    return List(FRAMES) { tallMesh(FIRST_HEIGHT + HIGHER * it, random) }.sortedBy { random.nextInt(2) }
+    val (first, second) = List(FRAMES) { tallMesh(FIRST_HEIGHT + HIGHER * it, random) }.partition { random.nextBoolean() }
+    return first + second
 }
 
 private const val FRAMES = 10

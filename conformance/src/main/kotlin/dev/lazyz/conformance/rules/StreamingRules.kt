@@ -76,8 +76,8 @@ public sealed interface StreamingRules : RulesForOne {
     @Rule(
         intent = "A renderer that accepts a streamed frame gives the picture that the same triangles in memory have.",
         look =
-        "Look at ties between parts, whose order is that of the scene, and at the indices of later parts. Call " +
-            "FrameParts' refusal if primitives are read more than once.",
+        "Look at ties between parts, whose order is that of the scene, and at the indices of later parts. Throw " +
+            "IllegalArgumentException before the first row if primitives are needed more than once.",
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_streamedFramesGiveTheSamePicture(@ForAll salt: Long) {

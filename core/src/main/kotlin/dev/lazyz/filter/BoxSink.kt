@@ -1,0 +1,150 @@
+package dev.lazyz.filter
+
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Region
+import dev.lazyz.RowSink
+import dev.lazyz.filter.LightSums.CHANNELS
+import dev.lazyz.filter.LightSums.LIGHT
+import java.util.Arrays
+
+/**
+ * Receives the rows of samples of a frame, and passes on the rows of pixels, each the mean of its own samples. They are
+ * those of a [FilterSink] with [PixelFilter.BOX].
+ *
+ * Most pixels of a picture have samples of one colour, which is that of the pixel: only the others are added up.
+ * Belongs to one rendering.
+ *
+ * @param factor samples a pixel in each direction
+ */
+internal class BoxSink(
+    private val factor: Int,
+    frame: Frame,
+    pixels: Region,
+    private val sink: RowSink,
+) : RowSink {
+    private val test = frame.raster.depthTest
+    private val width = pixels.width
+    private val samplesOfPixel = factor.toLong() * factor
+
+    /** The colour of the upper left sample of each pixel. While the pixel is not mixed, that of all its samples. */
+    private val corners = IntArray(width)
+
+    /** Whether samples of a pixel have different colours, so that there are sums of them. */
+    private val isMixed = BooleanArray(width)
+
+    /** The sums of mixed pixels: red, green, blue and alpha. */
+    private val sums = LongArray(CHANNELS * width)
+
+    /** The keys of the nearest samples. */
+    private val keys = LongArray(width)
+
+    private val argb = IntArray(width)
+    private val depths = IntArray(width)
+    private val indices = IntArray(width)
+
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        val row = y % factor
+        var x = 0
+        while (x < width) {
+            val end = endOfRun(argb, x)
+            if (end > x) even(row, x, end, argb[factor * x]) else uneven(row, x, argb)
+            x = maxOf(end, x + 1)
+        }
+        keepNearest(row, depth, primitive)
+        if (row == factor - 1) pass(y / factor)
+    }
+
+    /** Returns the end of the pixels from [x] on whose samples have the same [values]; [x] if its own have not. */
+    private fun endOfRun(values: IntArray, x: Int): Int {
+        val start = factor * x
+        val value = values[start]
+        for (i in start + 1 until start + factor) if (values[i] != value) return x
+        val next = start + factor
+        val last = factor * width
+        if (next >= last || values[next] != value) return x + 1
+
+        // The number of samples that are equal to the one before
+        val equal = Arrays.mismatch(values, start, last - 1, values, start + 1, last)
+        return if (equal < 0) width else x + (equal + 1) / factor
+    }
+
+    /** Takes a row of samples of the pixels [start] until [end], all of the same [color]. */
+    private fun even(row: Int, start: Int, end: Int, color: Int) {
+        if (row == 0) {
+            corners.fill(color, start, end)
+            isMixed.fill(false, start, end)
+            return
+        }
+        for (x in start until end) {
+            if (!isMixed[x]) {
+                if (corners[x] == color) continue
+                mix(x, row)
+            }
+            add(x, color, factor.toLong())
+        }
+    }
+
+    /** Takes a row of samples of the pixel [x]. */
+    private fun uneven(row: Int, x: Int, argb: IntArray) {
+        val start = factor * x
+        if (row == 0) corners[x] = argb[start]
+        if (row == 0 || !isMixed[x]) mix(x, row)
+        for (i in start until start + factor) add(x, argb[i], 1)
+    }
+
+    /** Begins the sums of the pixel [x] with its [rows] rows so far. */
+    private fun mix(x: Int, rows: Int) {
+        isMixed[x] = true
+        sums.fill(0, CHANNELS * x, CHANNELS * (x + 1))
+        add(x, corners[x], factor.toLong() * rows)
+    }
+
+    /** Adds [count] samples of the same colour to the pixel [x]. */
+    private fun add(x: Int, color: Int, count: Long) {
+        val weight = count * (color ushr 24)
+        sums[CHANNELS * x] += weight * LIGHT[color shr 16 and 0xFF]
+        sums[CHANNELS * x + 1] += weight * LIGHT[color shr 8 and 0xFF]
+        sums[CHANNELS * x + 2] += weight * LIGHT[color and 0xFF]
+        sums[CHANNELS * x + 3] += weight
+    }
+
+    private fun keepNearest(row: Int, depth: IntArray, primitive: IntArray) {
+        if (row == 0) keys.fill(Long.MAX_VALUE)
+        var x = 0
+        while (x < width) {
+            val start = factor * x
+            val end = if (primitive[start] == DepthTest.BACKGROUND) endOfRun(primitive, x) else x
+            if (end > x) {
+                // All samples of the background have the same depth
+                val empty = test.key(depth[start], DepthTest.BACKGROUND)
+                while (x < end) {
+                    keys[x] = minOf(keys[x], empty)
+                    x++
+                }
+            } else {
+                var key = keys[x]
+                for (i in start until start + factor) key = minOf(key, test.key(depth[i], primitive[i]))
+                keys[x++] = key
+            }
+        }
+    }
+
+    private fun pass(y: Int) {
+        for (x in 0 until width) {
+            val isPlain = !isMixed[x]
+            argb[x] = if (isPlain) corners[x] else LightSums.mean(sums, CHANNELS * x, samplesOfPixel, corners[x])
+            depths[x] = test.depthOf(keys[x])
+            indices[x] = test.indexOf(keys[x])
+        }
+        sink.row(y, argb, depths, indices)
+    }
+
+    companion object {
+        /** Bytes of a pixel: its sums and key; its corner and what is passed on; whether it is mixed. */
+        private const val PIXEL_BYTES = 8L * CHANNELS + 8 + 4 * 4 + 1
+
+        /** Bytes held for [pixels]. */
+        fun bytes(pixels: Region): Long = PIXEL_BYTES * pixels.width
+    }
+}
