@@ -17,12 +17,7 @@ import java.util.Arrays
  *
  * @param factor samples a pixel in each direction
  */
-internal class BoxSink(
-    private val factor: Int,
-    frame: Frame,
-    pixels: Region,
-    private val sink: RowSink,
-) : RowSink {
+internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, private val sink: RowSink,) : RowSink {
     private val test = frame.raster.depthTest
     private val width = pixels.width
     private val samplesOfPixel = factor.toLong() * factor

@@ -101,7 +101,9 @@ class DiagnosisTest {
 
     @Test
     fun failuresThatShowNoSymptomExplainNothing() {
-        val failed = listOf(names.lostCounts, names.lost).map { Diagnosis.Broken(checkNotNull(SuiteRule.find(it)), null) }
+        val failed = listOf(names.lostCounts, names.lost).map {
+            Diagnosis.Broken(checkNotNull(SuiteRule.find(it)), null)
+        }
         for (cause in Diagnosis.ofBroken(failed).causes) {
             assertEquals("the failures of the other rules do not explain this one", cause.why)
         }
