@@ -88,10 +88,9 @@ public class SampledFrame internal constructor(
      */
     internal fun render(renderer: Renderer, sink: RowSink, tap: (RowSink) -> RowSink): Counters {
         if (isPlain) return renderer.render(frame, tap(sink))
-        val filter = when (sampling.filter) {
-            PixelFilter.BOX -> BoxSink(sampling.factor, frame, pixels, sink)
-            else -> FilterSink(sampling.taps, frame, pixels, sink)
-        }
+        val isBox = sampling.filter == PixelFilter.BOX
+        val filter: RowSink =
+            if (isBox) BoxSink(sampling.factor, frame, pixels, sink) else FilterSink(sampling.taps, frame, pixels, sink)
         if (!isShadedLate) return renderer.render(frame, tap(filter))
 
         // Find the visible primitives first, without their colours

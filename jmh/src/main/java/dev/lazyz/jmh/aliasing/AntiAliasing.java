@@ -34,7 +34,7 @@ public final class AntiAliasing {
     private static final int TRUTH = 64;
     private static final int RUNS = 15;
 
-    /** Least time for the runs of a setting, nanoseconds: Java's compilers must have finished before the last of them. */
+    /** Least time for the runs of a setting, nanoseconds: Java's compilers must have finished before the last one. */
     private static final long LEAST_TIME = 1_500_000_000L;
 
     private static final Renderer RENDERER = new Tiled();

@@ -92,11 +92,11 @@ public record Triangles(
      * Writes the triangles to a file that other renderers read, for a square raster.
      *
      * <p>Little-endian: {@value #MAGIC}; 32-bit integers: coloring (0 flat, 1 smooth, 2 rounds, 3 lit), 1 for
-     * perspective and 0 otherwise, number of vertices, number of indices or 0 if vertices are not shared; the matrix from world
-     * to clip space, 16 floats, column by column; for each vertex three floats and the bytes red, green, blue, 255;
-     * the indices. Lit triangles have more floats at the end: three for the normal of each vertex; the eye, or the
-     * direction to it, and 1 or 0; ambient light; and for each of {@value #LIGHTS} lights the direction in which it
-     * travels and its colour.
+     * perspective and 0 otherwise, number of vertices, number of indices or 0 if vertices are not shared; the matrix
+     * from world to clip space, 16 floats, column by column; for each vertex three floats and the bytes red, green,
+     * blue, 255; the indices. Lit triangles have more floats at the end: three for the normal of each vertex; the
+     * eye, or the direction to it, and 1 or 0; ambient light; and for each of {@value #LIGHTS} lights the direction
+     * in which it travels and its colour.
      */
     public void write(Path file) throws IOException {
         Camera camera = scene().camera(1, 1);

@@ -21,7 +21,7 @@ class StagePageTest {
             "stage {\"jvm\":\"JDK 25\",\"scene\":\"S1\",\"side\":64,\"stage\":\"set up\",\"time\":7}",
             "counts {\"scene\":\"S1\",\"side\":64,\"vertices\":1000000,\"perspective\":0,\"triangles\":0,\"small\":0,"
                     + "\"smallFragments\":0,\"entries\":0,\"compared\":0,\"drawn\":0,\"visible\":0,\"runs\":0,"
-                    + "\"faces\":0,\"mixed\":0,\"mixedFaces\":0,\"rounds\":0}");
+                    + "\"faces\":0,\"mixed\":0,\"mixedFaces\":0,\"rounds\":0,\"lit\":0}");
 
     @Test
     void theStageWithTheLargestDifferenceIsNamed() {
