@@ -60,5 +60,5 @@ internal fun longRasters(salt: Long): List<FrameCase> {
 }
 
 private const val SHORT = 8
-private const val LONG = 50_000
+private const val LONG = 20_000
 private const val DEPTHS = 16
