@@ -1,13 +1,14 @@
 /*
  * Draws a file of triangles with OpenGL 3.3 on Mesa's llvmpipe, without a display, and prints one line of JSON.
  *
- *   llvmpipe FILE [--side N] [--samples N] [--warm-up SECONDS] [--measure SECONDS] [--frames N] [--visibility] [--read-back]
- *            [--picture FILE]
+ *   llvmpipe FILE [--side N] [--samples N] [--warm-up SECONDS] [--measure SECONDS] [--frames N] [--visibility]
+ *            [--read-back] [--picture FILE]
  *
  * A frame clears, draws all triangles and waits until they are drawn (glFinish); colours stay linear. Times are
  * milliseconds of wall clock. --visibility draws triangle numbers first and runs the fragment shader once a sample.
  * --samples draws with at least so many samples a pixel, or as many as llvmpipe has, and averages them; the fragment
- * shader runs once a pixel. --read-back also copies the picture to the program's memory, each frame. --frames draws so many frames and no warm-up.
+ * shader runs once a pixel. --read-back also copies the picture to the program's memory, each frame. --frames draws so
+ * many frames and no warm-up.
  * --picture draws one frame into an sRGB target and writes it: red, green, blue, alpha, a byte each, rows from the top.
  *
  * Set LP_NUM_THREADS. The file's format is that of Triangles.write.
@@ -137,7 +138,8 @@ static const char *RESOLVE_SHADER =
 static GLuint shader(GLenum stage, const char *text) {
     const char *varying = header.coloring == FLAT ? "flat" : header.perspective ? "smooth" : "noperspective";
     char prologue[256];
-    snprintf(prologue, sizeof prologue, "#version 330 core\n#define VARYING %s\n#define RESULT %s\n#define LIGHTS %d\n", varying,
+    snprintf(prologue, sizeof prologue,
+             "#version 330 core\n#define VARYING %s\n#define RESULT %s\n#define LIGHTS %d\n", varying,
              header.coloring == ROUNDS ? "rounds(c.rgb)" : "c", LIGHTS);
     const char *parts[] = {prologue, text};
     GLuint name = glCreateShader(stage);

@@ -23,7 +23,8 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     private var shadingCalls = 0L
 
     /** The samples of a pixel from its centre outward, as row times [factor] plus column. */
-    private val fromCentre = (0 until factor * factor).sortedBy { square(it / factor) + square(it % factor) }
+    private val fromCentre =
+        (0 until factor * factor).sortedBy { square(it / factor) + square(it % factor) }.toIntArray()
 
     /** Which samples of the current pixel have their colour, by row times [factor] plus column. */
     private val isShaded = BooleanArray(factor * factor)
@@ -57,7 +58,7 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
             val index = indices[row][column]
             val x = frame.region.columnStart + column
             val color = color(index, x, top + row)
-            for (other in fromCentre) {
+            for (other in isShaded.indices) {
                 val i = left + other % factor
                 if (indices[other / factor][i] != index) continue
                 argb[other / factor][i] = color

@@ -43,7 +43,9 @@ public class SampledFrame internal constructor(
     }
 
     /** Whether each sample is a pixel, so that nothing has to be filtered. */
-    private val isPlain: Boolean get() = sampling.factor == 1 && sampling.filter == PixelFilter.BOX
+    private val isPlain: Boolean get() = sampling.factor == 1 && isBox
+
+    private val isBox: Boolean get() = sampling.filter == PixelFilter.BOX
 
     private val isShadedLate: Boolean get() = sampling.rate == ShadingRate.PIXEL && sampling.factor > 1
 
@@ -52,7 +54,7 @@ public class SampledFrame internal constructor(
         get() {
             val filter = when {
                 isPlain -> 0
-                sampling.filter == PixelFilter.BOX -> BoxSink.bytes(pixels)
+                isBox -> BoxSink.bytes(pixels)
                 else -> FilterSink.bytes(sampling.taps, pixels)
             }
             return filter + if (isShadedLate) PixelShading.bytes(frame, sampling.factor) else 0
@@ -88,7 +90,6 @@ public class SampledFrame internal constructor(
      */
     internal fun render(renderer: Renderer, sink: RowSink, tap: (RowSink) -> RowSink): Counters {
         if (isPlain) return renderer.render(frame, tap(sink))
-        val isBox = sampling.filter == PixelFilter.BOX
         val filter: RowSink =
             if (isBox) BoxSink(sampling.factor, frame, pixels, sink) else FilterSink(sampling.taps, frame, pixels, sink)
         if (!isShadedLate) return renderer.render(frame, tap(filter))

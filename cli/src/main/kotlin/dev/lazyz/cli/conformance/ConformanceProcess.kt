@@ -8,8 +8,10 @@ import java.lang.management.ManagementFactory
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
+import kotlin.io.path.ExperimentalPathApi
 import kotlin.io.path.createDirectory
 import kotlin.io.path.createFile
+import kotlin.io.path.deleteRecursively
 import kotlin.io.path.exists
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
@@ -43,8 +45,10 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         return code
     }
 
+    @OptIn(ExperimentalPathApi::class)
     private fun delete() {
-        folder.toFile().deleteRecursively()
+        // Links that the strategy has made there are deleted, not followed
+        folder.deleteRecursively()
     }
 
     private fun command(args: List<String>, seed: Long): List<String> {
