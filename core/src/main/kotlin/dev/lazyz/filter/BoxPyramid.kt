@@ -2,7 +2,6 @@ package dev.lazyz.filter
 
 import dev.lazyz.Raster
 import dev.lazyz.filter.LightSums.CHANNELS
-import dev.lazyz.filter.LightSums.LIGHT
 import java.io.IOException
 
 /**
@@ -85,15 +84,7 @@ public class BoxPyramid(public val width: Int, public val height: Int, private v
         /** Adds row [row] of the picture: this is level 1. */
         fun add(row: Int, colors: IntArray) {
             keepCorners(colors)
-            for (x in 0 until width) {
-                val color = colors[x]
-                val at = CHANNELS * (x / 2)
-                val alpha = (color ushr 24).toLong()
-                sums[at] += alpha * LIGHT[color shr 16 and 0xFF]
-                sums[at + 1] += alpha * LIGHT[color shr 8 and 0xFF]
-                sums[at + 2] += alpha * LIGHT[color and 0xFF]
-                sums[at + 3] += alpha
-            }
+            for (x in 0 until width) LightSums.add(sums, CHANNELS * (x / 2), colors[x], 1)
             added++
         }
 

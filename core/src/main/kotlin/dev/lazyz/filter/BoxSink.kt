@@ -5,7 +5,6 @@ import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.filter.LightSums.CHANNELS
-import dev.lazyz.filter.LightSums.LIGHT
 import java.util.Arrays
 
 /**
@@ -95,14 +94,7 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
         add(x, corners[x], factor.toLong() * rows)
     }
 
-    /** Adds [count] samples of the same colour to the pixel [x]. */
-    private fun add(x: Int, color: Int, count: Long) {
-        val weight = count * (color ushr 24)
-        sums[CHANNELS * x] += weight * LIGHT[color shr 16 and 0xFF]
-        sums[CHANNELS * x + 1] += weight * LIGHT[color shr 8 and 0xFF]
-        sums[CHANNELS * x + 2] += weight * LIGHT[color and 0xFF]
-        sums[CHANNELS * x + 3] += weight
-    }
+    private fun add(x: Int, color: Int, count: Long) = LightSums.add(sums, CHANNELS * x, color, count)
 
     private fun keepNearest(row: Int, depth: IntArray, primitive: IntArray) {
         if (row == 0) keys.fill(Long.MAX_VALUE)

@@ -14,6 +14,15 @@ internal object LightSums {
     /** The light of each sRGB code, 0..2^[LIGHT_BITS]; not to be changed. */
     val LIGHT: IntArray = IntArray(256) { (Srgb.decode(it / 255.0) * (1 shl LIGHT_BITS) + 0.5).toInt() }
 
+    /** Adds [count] samples of [color], `0xAARRGGBB`, to the sums from [at] on. */
+    fun add(sums: LongArray, at: Int, color: Int, count: Long) {
+        val weight = count * (color ushr 24)
+        sums[at] += weight * LIGHT[color shr 16 and 0xFF]
+        sums[at + 1] += weight * LIGHT[color shr 8 and 0xFF]
+        sums[at + 2] += weight * LIGHT[color and 0xFF]
+        sums[at + 3] += weight
+    }
+
     /**
      * Returns the mean, `0xAARRGGBB`, of the sums from [at] on: red, green, blue and alpha. Where there is no alpha, it
      * has the colour of [corner].
