@@ -258,38 +258,47 @@ public class FragmentBatch internal constructor(capacity: Int) {
 
     /** Shades the single [fragment] as a batch of size 1, and copies the colour back to it. */
     internal fun shade(fragment: Fragment, shader: BatchShader) {
-        size = 1
-        x[0] = fragment.x
-        y[0] = fragment.y
-        worldX[0] = fragment.worldX
-        worldY[0] = fragment.worldY
-        worldZ[0] = fragment.worldZ
-        normalX[0] = fragment.normalX
-        normalY[0] = fragment.normalY
-        normalZ[0] = fragment.normalZ
-        u[0] = fragment.u
-        v[0] = fragment.v
-        vertexRed[0] = fragment.vertexRed
-        vertexGreen[0] = fragment.vertexGreen
-        vertexBlue[0] = fragment.vertexBlue
-        vertexAlpha[0] = fragment.vertexAlpha
-        u2[0] = fragment.u2
-        v2[0] = fragment.v2
-        dudx[0] = fragment.dudx
-        dvdx[0] = fragment.dvdx
-        dudy[0] = fragment.dudy
-        dvdy[0] = fragment.dvdy
-        du2dx[0] = fragment.du2dx
-        dv2dx[0] = fragment.dv2dx
-        du2dy[0] = fragment.du2dy
-        dv2dy[0] = fragment.dv2dy
-        tangentX[0] = fragment.tangentX
-        tangentY[0] = fragment.tangentY
-        tangentZ[0] = fragment.tangentZ
-        tangentW[0] = fragment.tangentW
+        size = 0
+        add(fragment)
         shade(shader)
         fragment.setColor(red[0], green[0], blue[0], alpha[0])
     }
+
+    /** Appends [fragment], with all of its attributes. */
+    internal fun add(fragment: Fragment) {
+        val i = size++
+        x[i] = fragment.x
+        y[i] = fragment.y
+        worldX[i] = fragment.worldX
+        worldY[i] = fragment.worldY
+        worldZ[i] = fragment.worldZ
+        normalX[i] = fragment.normalX
+        normalY[i] = fragment.normalY
+        normalZ[i] = fragment.normalZ
+        u[i] = fragment.u
+        v[i] = fragment.v
+        vertexRed[i] = fragment.vertexRed
+        vertexGreen[i] = fragment.vertexGreen
+        vertexBlue[i] = fragment.vertexBlue
+        vertexAlpha[i] = fragment.vertexAlpha
+        u2[i] = fragment.u2
+        v2[i] = fragment.v2
+        dudx[i] = fragment.dudx
+        dvdx[i] = fragment.dvdx
+        dudy[i] = fragment.dudy
+        dvdy[i] = fragment.dvdy
+        du2dx[i] = fragment.du2dx
+        dv2dx[i] = fragment.dv2dx
+        du2dy[i] = fragment.du2dy
+        dv2dy[i] = fragment.dv2dy
+        tangentX[i] = fragment.tangentX
+        tangentY[i] = fragment.tangentY
+        tangentZ[i] = fragment.tangentZ
+        tangentW[i] = fragment.tangentW
+    }
+
+    /** Returns the packed colour of element [i], `0xAARRGGBB`. */
+    internal fun toArgb(i: Int): Int = Srgb.pack(red[i], green[i], blue[i], alpha[i])
 
     override fun toString(): String = "FragmentBatch($size fragments)"
 

@@ -4,8 +4,8 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.RowSink
+import dev.lazyz.filter.LightSums.ALPHA
 import dev.lazyz.filter.LightSums.CHANNELS
-import java.util.Arrays
 
 /**
  * Receives the rows of samples of a frame, and passes on the rows of pixels, each the mean of its own samples. They are
@@ -16,7 +16,9 @@ import java.util.Arrays
  *
  * @param factor samples a pixel in each direction
  */
-internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, private val sink: RowSink,) : RowSink {
+internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, private val sink: RowSink) :
+    RowSink,
+    PixelSink {
     private val test = frame.raster.depthTest
     private val width = pixels.width
     private val samplesOfPixel = factor.toLong() * factor
@@ -41,35 +43,21 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
         val row = y % factor
         var x = 0
         while (x < width) {
-            val end = endOfRun(argb, x)
+            if (row > 0 && isMixed[x]) {
+                uneven(row, x++, argb)
+                continue
+            }
+            val end = PixelRuns.end(argb, x, factor, width)
             if (end > x) even(row, x, end, argb[factor * x]) else uneven(row, x, argb)
             x = maxOf(end, x + 1)
         }
-        keepNearest(row, depth, primitive)
-        if (row == factor - 1) pass(y / factor)
-    }
-
-    /** Returns the end of the pixels from [x] on whose samples have the same [values]; [x] if its own have not. */
-    private fun endOfRun(values: IntArray, x: Int): Int {
-        val start = factor * x
-        val value = values[start]
-        for (i in start + 1 until start + factor) if (values[i] != value) return x
-        val next = start + factor
-        val last = factor * width
-        if (next >= last || values[next] != value) return x + 1
-
-        // The number of samples that are equal to the one before
-        val equal = Arrays.mismatch(values, start, last - 1, values, start + 1, last)
-        return if (equal < 0) width else x + (equal + 1) / factor
+        samples(y, depth, primitive)
+        if (row == factor - 1) end(y / factor)
     }
 
     /** Takes a row of samples of the pixels [start] until [end], all of the same [color]. */
     private fun even(row: Int, start: Int, end: Int, color: Int) {
-        if (row == 0) {
-            corners.fill(color, start, end)
-            isMixed.fill(false, start, end)
-            return
-        }
+        if (row == 0) return even(start, end, color)
         for (x in start until end) {
             if (!isMixed[x]) {
                 if (corners[x] == color) continue
@@ -82,9 +70,34 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
     /** Takes a row of samples of the pixel [x]. */
     private fun uneven(row: Int, x: Int, argb: IntArray) {
         val start = factor * x
-        if (row == 0) corners[x] = argb[start]
-        if (row == 0 || !isMixed[x]) mix(x, row)
-        for (i in start until start + factor) add(x, argb[i], 1)
+        if (row == 0) {
+            corners[x] = argb[start]
+            isMixed[x] = true
+            sum(argb, start, start + factor) { at, light -> sums[CHANNELS * x + at] = light }
+        } else {
+            if (!isMixed[x]) mix(x, row)
+            sum(argb, start, start + factor) { at, light -> sums[CHANNELS * x + at] += light }
+        }
+    }
+
+    /** Passes the sum of each channel of the colours [start] until [end] to [use]. */
+    private inline fun sum(colors: IntArray, start: Int, end: Int, use: (channel: Int, light: Long) -> Unit) {
+        var red = 0L
+        var green = 0L
+        var blue = 0L
+        var alpha = 0L
+        for (i in start until end) {
+            LightSums.of(colors[i], 1) { r, g, b, a ->
+                red += r
+                green += g
+                blue += b
+                alpha += a
+            }
+        }
+        use(0, red)
+        use(1, green)
+        use(2, blue)
+        use(ALPHA, alpha)
     }
 
     /** Begins the sums of the pixel [x] with its [rows] rows so far. */
@@ -96,12 +109,31 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
 
     private fun add(x: Int, color: Int, count: Long) = LightSums.add(sums, CHANNELS * x, color, count)
 
-    private fun keepNearest(row: Int, depth: IntArray, primitive: IntArray) {
-        if (row == 0) keys.fill(Long.MAX_VALUE)
+    override fun even(start: Int, end: Int, color: Int) {
+        if (end - start < LONG) {
+            for (x in start until end) {
+                corners[x] = color
+                isMixed[x] = false
+            }
+        } else {
+            corners.fill(color, start, end)
+            isMixed.fill(false, start, end)
+        }
+    }
+
+    override fun mixed(x: Int, colors: IntArray) {
+        corners[x] = colors[0]
+        isMixed[x] = true
+        sum(colors, 0, colors.size) { at, light -> sums[CHANNELS * x + at] = light }
+    }
+
+    /** Keeps the nearest sample of each pixel. */
+    override fun samples(y: Int, depth: IntArray, primitive: IntArray) {
+        if (y % factor == 0) keys.fill(Long.MAX_VALUE)
         var x = 0
         while (x < width) {
             val start = factor * x
-            val end = if (primitive[start] == DepthTest.BACKGROUND) endOfRun(primitive, x) else x
+            val end = if (primitive[start] == DepthTest.BACKGROUND) PixelRuns.end(primitive, x, factor, width) else x
             if (end > x) {
                 // All samples of the background have the same depth
                 val empty = test.key(depth[start], DepthTest.BACKGROUND)
@@ -117,7 +149,7 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
         }
     }
 
-    private fun pass(y: Int) {
+    override fun end(y: Int) {
         for (x in 0 until width) {
             val isPlain = !isMixed[x]
             argb[x] = if (isPlain) corners[x] else LightSums.mean(sums, CHANNELS * x, samplesOfPixel, corners[x])
@@ -128,6 +160,9 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
     }
 
     companion object {
+        /** Fewest pixels for which filling by whole arrays is worthwhile. */
+        private const val LONG = 8
+
         /** Bytes of a pixel: its sums and key; its corner and what is passed on; whether it is mixed. */
         private const val PIXEL_BYTES = 8L * CHANNELS + 8 + 4 * 4 + 1
 

@@ -5,7 +5,6 @@ import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.filter.LightSums.CHANNELS
-import dev.lazyz.filter.LightSums.LIGHT
 
 /**
  * Receives the rows of samples of [frame], and passes on the rows of [pixels]. See [SuperSampling].
@@ -73,12 +72,12 @@ internal class FilterSink(
             var blue = 0L
             var alpha = 0L
             for (i in start until end) {
-                val color = argb[i - samples.columnStart]
-                val weight = weights[i - first] * (color ushr 24).toLong()
-                red += weight * LIGHT[color shr 16 and 0xFF]
-                green += weight * LIGHT[color shr 8 and 0xFF]
-                blue += weight * LIGHT[color and 0xFF]
-                alpha += weight
+                LightSums.of(argb[i - samples.columnStart], weights[i - first].toLong()) { r, g, b, a ->
+                    red += r
+                    green += g
+                    blue += b
+                    alpha += a
+                }
             }
             across[CHANNELS * x] = red
             across[CHANNELS * x + 1] = green

@@ -2,83 +2,158 @@ package dev.lazyz.filter
 
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.RecentPrimitives
 import dev.lazyz.RowSink
+import dev.lazyz.shading.GatheredShading
+import java.util.Arrays
 
 /**
- * Receives rows of samples without colours, and passes them on with the colours of [ShadingRate.PIXEL]. Footprints of
- * textures are those of pixels. The region of [frame] consists of whole pixels. Belongs to one rendering.
+ * Receives rows of samples without colours, and passes the samples of each pixel on with the colours of
+ * [ShadingRate.PIXEL]. Footprints of textures are those of pixels. The region of [frame] consists of whole pixels.
+ * Belongs to one rendering.
+ *
+ * Most pixels show one primitive, or only the background. Which ones is found by comparing long runs of samples. Pixels
+ * wait until there are enough fragments to shade them together.
  */
-internal class PixelShading(private val frame: Frame, private val factor: Int, private val sink: RowSink) : RowSink {
-    private val width = frame.width
+internal class PixelShading(private val frame: Frame, private val factor: Int, private val sink: PixelSink) : RowSink {
+    private val width = frame.width / factor
+    private val samplesOfPixel = factor * factor
     private val background = frame.raster.background.toArgb()
-    private val argb = Array(factor) { IntArray(width) }
-    private val depths = Array(factor) { IntArray(width) }
-    private val indices = Array(factor) { IntArray(width) }
 
-    private val primitives = RecentPrimitives(frame.content)
-    private val fragment = Fragment().also { it.footprintSide = factor }
+    /** The primitives of the samples of a row of pixels. */
+    private val primitives = Array(factor) { IntArray(frame.width) }
+
+    /** Whether all samples of a pixel have the same primitive, or none, as far as their rows have been received. */
+    private val isEven = BooleanArray(width)
+
+    private val shading = GatheredShading(frame.content, factor, room(factor))
     private var shadingCalls = 0L
 
     /** The samples of a pixel from its centre outward, as row times [factor] plus column. */
     private val fromCentre =
-        (0 until factor * factor).sortedBy { square(it / factor) + square(it % factor) }.toIntArray()
+        (0 until samplesOfPixel).sortedBy { square(it / factor) + square(it % factor) }.toIntArray()
 
-    /** Which samples of the current pixel have their colour, by row times [factor] plus column. */
-    private val isShaded = BooleanArray(factor * factor)
+    /** Columns of the pixels that wait, and the place in [fragments] of their samples, or -1 if they are even. */
+    private val waiting = IntArray(room(factor))
+    private val places = IntArray(room(factor))
+    private var waitingCount = 0
+
+    /** Number of each sample of the mixed pixels that wait: that of its fragment, or -1 for the background. */
+    private val fragments = IntArray(room(factor))
+    private var fragmentsSize = 0
+
+    /** The primitives, and later the colours, of the samples of a pixel, row by row. */
+    private val pixel = IntArray(samplesOfPixel)
 
     private fun square(position: Int): Int = (2 * position + 1 - factor) * (2 * position + 1 - factor)
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+        sink.samples(y, depth, primitive)
         val number = y % factor
-        depth.copyInto(depths[number], 0, 0, width)
-        primitive.copyInto(indices[number], 0, 0, width)
+        primitive.copyInto(primitives[number], 0, 0, frame.width)
+        if (number == 0) findEven() else compare(number)
         if (number != factor - 1) return
-        val first = y - number
-        for (left in 0 until width step factor) shade(left, first)
-        for (row in 0 until factor) sink.row(first + row, this.argb[row], depths[row], indices[row])
+        gather(y - number)
+        shade()
+        sink.end(y / factor)
     }
 
-    /** Shades the pixel whose samples begin at column [left] of the region and row [top] of the raster. */
-    private fun shade(left: Int, top: Int) {
-        val single = indices[0][left]
-        if (isSingle(single, left)) {
-            val place = fromCentre[0]
-            val color = color(single, frame.region.columnStart + left + place % factor, top + place / factor)
-            for (row in argb) row.fill(color, left, left + factor)
-            return
+    /** Finds the pixels whose first row of samples is even. */
+    private fun findEven() {
+        var x = 0
+        while (x < width) {
+            val end = PixelRuns.end(primitives[0], x, factor, width)
+            isEven.fill(end > x, x, maxOf(end, x + 1))
+            x = maxOf(end, x + 1)
         }
-        isShaded.fill(false)
-        for (place in fromCentre) {
-            if (isShaded[place]) continue
-            val row = place / factor
-            val column = left + place % factor
-            val index = indices[row][column]
-            val x = frame.region.columnStart + column
-            val color = color(index, x, top + row)
-            for (other in isShaded.indices) {
-                val i = left + other % factor
-                if (indices[other / factor][i] != index) continue
-                argb[other / factor][i] = color
-                isShaded[other] = true
+    }
+
+    /** Finds the pixels whose row [number] of samples is not like the first one. */
+    private fun compare(number: Int) {
+        var x = 0
+        while (x < width) {
+            if (!isEven[x]) {
+                x++
+                continue
+            }
+            val start = factor * x
+            val equal =
+                Arrays.mismatch(primitives[number], start, frame.width, primitives[0], start, frame.width)
+            if (equal < 0) return
+            x += equal / factor
+            isEven[x++] = false
+        }
+    }
+
+    /** Gathers the fragments of the row of pixels whose first row of samples is [top]. */
+    private fun gather(top: Int) {
+        val first = primitives[0]
+        var x = 0
+        while (x < width) {
+            val index = first[factor * x]
+            if (!isEven[x]) {
+                gatherMixed(x++, top)
+            } else if (index != DepthTest.BACKGROUND) {
+                wait(x, -1)
+                add(index, x++, fromCentre[0], top)
+            } else {
+                val start = x++
+                while (x < width && isEven[x] && first[factor * x] == DepthTest.BACKGROUND) x++
+                sink.even(start, x, background)
             }
         }
     }
 
-    /** Whether all samples of the pixel from column [left] of the region on show the primitive [index]. */
-    private fun isSingle(index: Int, left: Int): Boolean {
-        for (row in indices) for (i in left until left + factor) if (row[i] != index) return false
-        return true
+    /** Makes the pixel [x] wait for its colour. */
+    private fun wait(x: Int, place: Int) {
+        if (maxOf(shading.size, fragmentsSize) + samplesOfPixel > waiting.size) shade()
+        waiting[waitingCount] = x
+        places[waitingCount++] = if (place < 0) place else fragmentsSize
     }
 
-    private fun color(index: Int, x: Int, y: Int): Int {
-        if (index == DepthTest.BACKGROUND) return background
-        shadingCalls++
-        fragment.moveTo(x, y)
-        primitives[index].shade(fragment)
-        return fragment.toArgb()
+    private fun add(index: Int, x: Int, sample: Int, top: Int): Int =
+        shading.add(index, frame.region.columnStart + factor * x + sample % factor, top + sample / factor)
+
+    /** Gathers a fragment of each primitive of the pixel [x]. */
+    private fun gatherMixed(x: Int, top: Int) {
+        wait(x, 0)
+        val at = fragmentsSize
+        fragmentsSize += samplesOfPixel
+        fragments.fill(NONE, at, fragmentsSize)
+        for (row in 0 until factor) {
+            for (column in 0 until factor) pixel[factor * row + column] = primitives[row][factor * x + column]
+        }
+        for (sample in fromCentre) {
+            if (fragments[at + sample] != NONE) continue
+            val index = pixel[sample]
+            val number = if (index == DepthTest.BACKGROUND) EMPTY else add(index, x, sample, top)
+            for (other in 0 until samplesOfPixel) {
+                if (fragments[at + other] == NONE && pixel[other] == index) fragments[at + other] = number
+            }
+        }
+    }
+
+    /** Shades the gathered fragments, and passes the pixels that wait for them on. */
+    private fun shade() {
+        shading.shade()
+        shadingCalls += shading.size
+        var next = 0
+        for (i in 0 until waitingCount) {
+            val at = places[i]
+            if (at < 0) {
+                sink.even(waiting[i], waiting[i] + 1, shading.argb[next++])
+                continue
+            }
+            for (sample in 0 until samplesOfPixel) {
+                val number = fragments[at + sample]
+                pixel[sample] = if (number == EMPTY) background else shading.argb[number]
+                next = maxOf(next, number + 1)
+            }
+            sink.mixed(waiting[i], pixel)
+        }
+        shading.clear()
+        waitingCount = 0
+        fragmentsSize = 0
     }
 
     /** Returns [counters] of the rendering without colours, with the shading calls of this sink. */
@@ -90,10 +165,19 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     }.build()
 
     companion object {
-        /** Colour, depth and primitive. */
-        private const val SAMPLE_BYTES = 12L
+        /** Numbers of samples without a fragment: of the background, and not yet known. */
+        private const val EMPTY = -1
+        private const val NONE = -2
+
+        /** The most samples that wait, if a pixel does not have more. */
+        private const val MANY = 4096
+
+        private fun room(factor: Int): Int = maxOf(MANY, factor * factor)
 
         /** Bytes held for the samples of [frame], [factor] x [factor] a pixel. */
-        fun bytes(frame: Frame, factor: Int): Long = SAMPLE_BYTES * factor * frame.width
+        fun bytes(frame: Frame, factor: Int): Long {
+            val rows = Int.SIZE_BYTES.toLong() * factor * frame.width + frame.width / factor
+            return rows + 3L * Int.SIZE_BYTES * room(factor) + GatheredShading.bytes(room(factor))
+        }
     }
 }

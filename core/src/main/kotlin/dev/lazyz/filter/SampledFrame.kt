@@ -57,7 +57,9 @@ public class SampledFrame internal constructor(
                 isBox -> BoxSink.bytes(pixels)
                 else -> FilterSink.bytes(sampling.taps, pixels)
             }
-            return filter + if (isShadedLate) PixelShading.bytes(frame, sampling.factor) else 0
+            if (!isShadedLate) return filter
+            val rows = if (isBox) 0 else SampleRows.bytes(sampling.factor, frame.width)
+            return filter + rows + PixelShading.bytes(frame, sampling.factor)
         }
 
     /**
@@ -90,13 +92,14 @@ public class SampledFrame internal constructor(
      */
     internal fun render(renderer: Renderer, sink: RowSink, tap: (RowSink) -> RowSink): Counters {
         if (isPlain) return renderer.render(frame, tap(sink))
-        val filter: RowSink =
-            if (isBox) BoxSink(sampling.factor, frame, pixels, sink) else FilterSink(sampling.taps, frame, pixels, sink)
+        val box = if (isBox) BoxSink(sampling.factor, frame, pixels, sink) else null
+        val filter: RowSink = box ?: FilterSink(sampling.taps, frame, pixels, sink)
         if (!isShadedLate) return renderer.render(frame, tap(filter))
 
         // Find the visible primitives first, without their colours
         require(!frame.hasTranslucency) { "translucent primitives are shaded at every sample: use ShadingRate.SAMPLE" }
-        val shading = PixelShading(frame, sampling.factor, filter)
+        val colors = box ?: SampleRows(sampling.factor, frame.width, filter)
+        val shading = PixelShading(frame, sampling.factor, colors)
         return shading.counted(renderer.render(frame.unshaded(), tap(shading)))
     }
 

@@ -2,6 +2,7 @@ package dev.lazyz.setup
 
 import dev.lazyz.Fragment
 import dev.lazyz.LinearForm
+import dev.lazyz.Shader
 import dev.lazyz.Spans
 import dev.lazyz.raster.RowHull
 import dev.lazyz.raster.ScreenGrid
@@ -77,6 +78,7 @@ internal class LinePrimitive(
     override val leastDepth: Int get() = if (isLevel) z0 else minOf(z0, z1)
     override val greatestDepth: Int get() = if (isLevel) z0 else maxOf(z0, z1)
     override val isTranslucent: Boolean get() = strokes.isTranslucent(segment)
+    override val shader: Shader get() = strokes.shader
     override val heldBytes: Long get() = BYTES
 
     override fun spans(y: Int, spans: Spans) {
@@ -116,11 +118,6 @@ internal class LinePrimitive(
         if (product <= 0L) return 0.0
         val whole = square
         return if (product >= whole) 1.0 else product.toDouble() / whole.toDouble()
-    }
-
-    override fun shade(fragment: Fragment) {
-        attributes(fragment)
-        strokes.shader.shade(fragment)
     }
 
     override fun attributes(fragment: Fragment) {

@@ -2,6 +2,7 @@ package dev.lazyz.setup
 
 import dev.lazyz.Fragment
 import dev.lazyz.LinearForm
+import dev.lazyz.Shader
 import dev.lazyz.Spans
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.AttributedPrimitive
@@ -31,6 +32,7 @@ internal class PointPrimitive(
     override val leastDepth: Int get() = depth
     override val greatestDepth: Int get() = depth
     override val isTranslucent: Boolean get() = cloud.isTranslucent(number)
+    override val shader: Shader get() = cloud.shader
     override val heldBytes: Long get() = BYTES
 
     /** Whether the point covers any sample. */
@@ -41,11 +43,6 @@ internal class PointPrimitive(
     }
 
     override fun depth(x: Int, y: Int): Int = depth
-
-    override fun shade(fragment: Fragment) {
-        attributes(fragment)
-        cloud.shader.shade(fragment)
-    }
 
     override fun attributes(fragment: Fragment): Unit = cloud.attributes(number, fragment)
 

@@ -28,7 +28,7 @@ internal class SpherePrimitive private constructor(
     private val cx: Double,
     private val cy: Double,
     private val cz: Double,
-    private val shader: Shader,
+    override val shader: Shader,
 ) : AttributedPrimitive {
     private val width = rays.width
     private val height = rays.height
@@ -90,11 +90,6 @@ internal class SpherePrimitive private constructor(
     }
 
     override fun depth(x: Int, y: Int): Int = rays.depthAt(distance(x, y))
-
-    override fun shade(fragment: Fragment) {
-        attributes(fragment)
-        shader.shade(fragment)
-    }
 
     override fun attributes(fragment: Fragment) {
         val t = distance(fragment.x, fragment.y)

@@ -1,24 +1,32 @@
 package dev.lazyz.filter
 
 import dev.lazyz.BatchShader
+import dev.lazyz.Counters
 import dev.lazyz.FragmentBatch
+import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
+import dev.lazyz.RowSink
 import dev.lazyz.Shader
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.Shading
 import dev.lazyz.world.material.Texture
+import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
 import java.util.concurrent.ConcurrentHashMap
 import kotlin.math.sqrt
+import kotlin.random.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -130,6 +138,76 @@ class PixelShadingTest {
                     assertEquals(expected.argb(x, y), part.argb(x, y)) { "${renderer.id} at ($x, $y)" }
                 }
             }
+        }
+    }
+
+    /** Small triangles, points, lines and spheres of all kinds of materials, one over the other. */
+    private fun mixture(): Scene {
+        val random = Random(5)
+        fun place() = (random.nextDouble() * 4.0 - 2.0).toFloat()
+        val picture = Texture(16, 16, IntArray(256) { random.nextInt() })
+        val batched = BatchShader { batch ->
+            for (i in 0 until batch.size) {
+                batch.red[i] = batch.worldX[i] - batch.worldY[i]
+                batch.green[i] = batch.vertexGreen[i]
+                batch.blue[i] = (batch.x[i] and 7) / 7f
+            }
+        }
+        val materials = listOf(
+            Material(), Material(shading = Shading.FLAT), Material(shading = Shading.GOURAUD),
+            Material(texture = picture), Material(texture = picture, shading = Shading.CONSTANT),
+            Material().withMetallicRoughness(MetallicRoughness(0.5f, 0.4f)), Material(shader = batched),
+            Material(shader = { it.setColor(it.worldX, it.normalZ, it.u) }),
+            Material(texture = picture, alphaMode = AlphaMode.MASK, alphaCutoff = 0.3f),
+        )
+        val meshes = materials.map { material ->
+            val corners = 3 * 60
+            val positions = FloatArray(3 * corners)
+            for (triangle in 0 until corners / 3) {
+                val center = FloatArray(3) { place() }
+                for (i in 0 until 9) positions[9 * triangle + i] = center[i % 3] + place() / 6
+            }
+            fun numbers(count: Int) = FloatArray(count * corners) { random.nextFloat() }
+            val colors = numbers(4).also { for (i in 3 until it.size step 4) it[i] = 1f }
+            Mesh(positions, IntArray(corners) { it }, material, numbers(3), numbers(2), colors)
+        }
+        val points = Points(FloatArray(90) { place() }, size = 3.0)
+        val lines = Lines(FloatArray(60) { place() }, IntArray(20) { it }, width = 1.5)
+        return scene(*meshes.toTypedArray(), points, lines, ball(Material()))
+    }
+
+    @Test
+    fun rule_6_12_pixelsHaveTheColoursOfTheirMiddleSamples() {
+        for ((factor, pixels) in mapOf(2 to raster, 3 to raster, 4 to Raster(300, 40), 64 to Raster(3, 2))) {
+            for (filter in listOf(PixelFilter.BOX, PixelFilter.MITCHELL)) {
+                val actual = SuperSampling(factor, filter, ShadingRate.PIXEL).frame(mixture(), pixels)
+                val samples = SuperSampling(factor, filter).frame(mixture(), pixels).frame
+                val taps = FilterTaps(filter, factor)
+                val collector = Image.Collector(actual.pixels)
+                withMiddleColors(ZBuffer().render(samples), factor, FilterSink(taps, samples, actual.pixels, collector))
+                val expected = collector.toImage(Counters.NONE)
+                assertTrue(expected.primitive.toSet().size > pixels.height)
+                assertEquals(expected, actual.render(Tiled())) { "$factor, $filter" }
+            }
+        }
+    }
+
+    /** Passes the [samples] on, each with the colour of the middle one of those of its pixel and primitive. */
+    private fun withMiddleColors(samples: Image, factor: Int, sink: RowSink) {
+        fun fromMiddle(at: Int): Int = square(2 * (at % factor) + 1 - factor)
+        val rows = IntArray(samples.width * samples.height)
+        for (top in 0 until samples.height step factor) {
+            for (left in 0 until samples.width step factor) {
+                val places = (0 until factor * factor).map { Pair(left + it % factor, top + it / factor) }
+                val colors = HashMap<Int, Int>()
+                for ((x, y) in places.sortedBy { fromMiddle(it.first) + fromMiddle(it.second) }) {
+                    rows[y * samples.width + x] = colors.getOrPut(samples.primitive(x, y)) { samples.argb(x, y) }
+                }
+            }
+        }
+        for (y in 0 until samples.height) {
+            val row = y * samples.width until (y + 1) * samples.width
+            sink.row(y, rows.sliceArray(row), samples.depth.sliceArray(row), samples.primitive.sliceArray(row))
         }
     }
 }

@@ -44,7 +44,7 @@ internal class PlanarPrimitive(
     val leastInverseW: Double,
     val normalSign: Double,
     val fields: Int,
-    val shader: Shader,
+    override val shader: Shader,
     override val leastDepth: Int,
     override val greatestDepth: Int,
     override val isTranslucent: Boolean,
@@ -65,11 +65,6 @@ internal class PlanarPrimitive(
     override fun cursor(y: Int): SpanCursor = TrapezoidCursor(edges, y)
 
     override fun depth(x: Int, y: Int): Int = (depthForm.at(x, y) shr 32).toInt()
-
-    override fun shade(fragment: Fragment) {
-        attributes(fragment)
-        shader.shade(fragment)
-    }
 
     override fun attributes(fragment: Fragment) {
         if (fields != 0) mixAt(fragment, fields)
