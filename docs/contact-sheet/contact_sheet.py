@@ -130,9 +130,17 @@ def blind(arguments, models, columns):
             key.write(f"{number:02} {model.name}: " + ", ".join(f"{a} {c[0]}" for a, c in zip(letters, mixed)) + "\n")
 
 
+def shown(arguments, picture, side):
+    """What a sheet shows of a picture: its middle, pixel by pixel, or all of it, made smaller."""
+    if arguments.detail:
+        left, top = (picture.width - side) // 2, (picture.height - side) // 2
+        return picture.crop((left, top, left + side, top + side))
+    return picture.resize((side, side), Image.Resampling.LANCZOS)
+
+
 def sheet(arguments, models, columns, file, letters=None):
     """Puts the pictures of some models into one picture, a row each. With letters, nothing else is written on it."""
-    side = arguments.shown or arguments.size
+    side = arguments.detail or arguments.shown or arguments.size
     font = ImageFont.load_default(max(10, side // 12))
     top, left = 2 * font.size, int(max(font.getlength(m.name) for m in models)) + 2 * GAP
     if letters:
@@ -150,7 +158,7 @@ def sheet(arguments, models, columns, file, letters=None):
             picture = picture_file(arguments.out, model, title)
             if picture.is_file():
                 with Image.open(picture) as opened:
-                    image.paste(opened.convert("RGB").resize((side, side), Image.Resampling.LANCZOS), (x, y))
+                    image.paste(shown(arguments, opened.convert("RGB"), side), (x, y))
             else:
                 draw.text((x + side / 2, y + side / 2), "no picture", "gray", font, anchor="mm")
             if column == 0 and not letters and not arguments.no_captions:
@@ -166,6 +174,7 @@ def main():
     parser.add_argument("--out", type=Path, required=True, help="folder for pictures and sheets")
     parser.add_argument("--size", type=int, default=512, help="side of each picture in pixels")
     parser.add_argument("--shown", type=int, help="side of each picture in the sheets; default: --size")
+    parser.add_argument("--detail", type=int, help="shows only so many pixels of each side, from the middle, unscaled")
     parser.add_argument("--rows", type=int, default=100, help="rows of a sheet at most")
     parser.add_argument("--format", default="png", help="png or jpg")
     parser.add_argument("--quality", type=int, default=90, help="quality of jpg, 1..95")

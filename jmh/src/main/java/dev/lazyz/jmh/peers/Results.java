@@ -24,6 +24,9 @@ record Results(Map<String, String> facts, List<Time> times, List<Picture> pictur
     /** The renderer that others are compared with. */
     static final String BASE = "llvmpipe";
 
+    /** Begins the names of Lazy Z's contenders, which are those of JVMs. */
+    private static final String OURS = "JDK ";
+
     /**
      * Times of the frames of one process.
      *
@@ -78,7 +81,12 @@ record Results(Map<String, String> facts, List<Time> times, List<Picture> pictur
             long oursOnly,
             long theirsOnly,
             long unequal,
-            double mean) {}
+            double mean) {
+        /** Whether this is Lazy Z's image, which is compared with itself. */
+        boolean isOurs() {
+            return contender.startsWith(OURS);
+        }
+    }
 
     /**
      * The time of a process that renders one small image, from its start to its end.
@@ -102,6 +110,17 @@ record Results(Map<String, String> facts, List<Time> times, List<Picture> pictur
                 JsonRecords.records(root, "times", Time.class),
                 JsonRecords.records(root, "pictures", Picture.class),
                 JsonRecords.records(root, "starts", Start.class));
+    }
+
+    /** Records a fact. Facts of several runs with the same name are all kept. */
+    void addFact(String name, String value) {
+        facts.merge(
+                name, value, (before, now) -> List.of(before.split("; ")).contains(now) ? before : before + "; " + now);
+    }
+
+    /** Returns the number of rounds. */
+    int rounds() {
+        return times.stream().mapToInt(Time::round).max().orElse(0);
     }
 
     /** Removes all results of a scene. */

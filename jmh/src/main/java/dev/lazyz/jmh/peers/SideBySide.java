@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -34,7 +35,8 @@ import kotlinx.serialization.json.JsonObject;
  * with {@value #SAMPLES} x {@value #SAMPLES}, shaded once a sample and, as llvmpipe does it, once a pixel.
  *
  * <p>With {@code --keep}, the file of results exists already, and results of other scenes and of whole processes are
- * kept. The facts of the new run then begin with {@value #ADDED}.
+ * kept. The facts of the new run then begin with {@value #ADDED}. With {@code --only} in addition, all results are kept,
+ * and the named renderers and llvmpipe are measured in further rounds, whose facts begin with {@value #FURTHER}.
  */
 public final class SideBySide {
     private static final Set<String> OPTIONS = Set.of(
@@ -56,12 +58,16 @@ public final class SideBySide {
             "measure",
             "results",
             "keep",
+            "only",
             "fact");
     /** The scene of the processes that are timed from start to end. */
     private static final String COLD_SCENE = "teapot";
 
     /** Begins the names of facts that are true of results that were added later. */
     private static final String ADDED = "added: ";
+
+    /** Begins the names of facts that are true of further rounds. */
+    private static final String FURTHER = "further: ";
 
     /** Samples a pixel of anti-aliased pictures, along each side of the pixel. */
     static final int SAMPLES = 4;
@@ -74,6 +80,12 @@ public final class SideBySide {
     private final Results results;
     private final List<Contender> contenders = new ArrayList<>();
     private final Map<String, Triangles> triangles = new HashMap<>();
+
+    /** Whether all results are kept, and some renderers are measured again. */
+    private final boolean isFurther;
+
+    /** Number of rounds in the results that are kept. */
+    private final int roundsBefore;
 
     private SideBySide(Options options, Path folder, Results results) {
         this.options = options;
@@ -88,6 +100,13 @@ public final class SideBySide {
         options.all("vtk").forEach(command -> contenders.add(Contender.parse(Contender.Kind.VTK, "VTK=" + command)));
         options.all("jmol").forEach(command -> contenders.add(Contender.parse(Contender.Kind.JMOL, "Jmol=" + command)));
         options.all("ours").forEach(text -> contenders.add(Contender.parse(Contender.Kind.OURS, text)));
+        isFurther = !options.all("only").isEmpty();
+        roundsBefore = isFurther ? results.rounds() : 0;
+        if (isFurther) {
+            Set<String> measured = new HashSet<>(options.all("only"));
+            measured.add(Results.BASE);
+            contenders.removeIf(contender -> !measured.contains(contender.name()));
+        }
     }
 
     /** Options: see {@code jmh/README.md}. */
@@ -98,7 +117,8 @@ public final class SideBySide {
         Results results = isKept ? Results.read(output) : Results.empty();
         Path folder = Files.createTempDirectory("lazyz-peers-");
         try {
-            new SideBySide(options, folder, results).run(output, isKept ? ADDED : "");
+            String addition = options.all("only").isEmpty() ? ADDED : FURTHER;
+            new SideBySide(options, folder, results).run(output, isKept ? addition : "");
         } finally {
             for (Path file : Files.list(folder).toList()) {
                 Files.delete(file);
@@ -183,19 +203,21 @@ public final class SideBySide {
     private void recordFacts(String addition) throws IOException {
         for (String fact : options.all("fact")) {
             int at = fact.indexOf('=');
-            results.facts().put(addition + fact.substring(0, at), fact.substring(at + 1));
+            results.addFact(addition + fact.substring(0, at), fact.substring(at + 1));
         }
-        results.facts().put(addition + "date", LocalDate.now().toString());
-        results.facts().put(addition + "rounds", options.get("rounds", "3"));
-        results.facts().put(addition + "warm-up, s", options.get("warm-up", "3"));
-        results.facts().put(addition + "measurement, s", options.get("measure", "4"));
+        results.addFact(addition + "date", LocalDate.now().toString());
+        results.addFact(addition + "rounds", options.get("rounds", "3"));
+        results.addFact(addition + "warm-up, s", options.get("warm-up", "3"));
+        results.addFact(addition + "measurement, s", options.get("measure", "4"));
     }
 
     private void export(String scene) throws IOException {
         Triangles exported = TriangleSource.find(scene);
         exported.write(file(scene));
         triangles.put(scene, exported);
-        results.drop(TriangleSource.label(scene));
+        if (!isFurther) {
+            results.drop(TriangleSource.label(scene));
+        }
     }
 
     private Path file(String scene) {
@@ -221,6 +243,10 @@ public final class SideBySide {
         Path ourPicture = folder.resolve("ours.picture");
         Path theirPicture = folder.resolve("theirs.picture");
         for (String scene : scenes) {
+            if (isFurther) {
+                requireSamePicture(ours, scene, side, ourPicture);
+                continue;
+            }
             addPicture(ours, scene, side, ourPicture, ourPicture);
             for (Contender contender : contenders) {
                 if (contender.kind() != Contender.Kind.OURS && which.test(contender) && canDraw(contender, scene, 1)) {
@@ -230,11 +256,37 @@ public final class SideBySide {
         }
     }
 
-    private void addPicture(Contender contender, String scene, int side, Path ours, Path theirs)
+    /** Fails if the picture is not the one that was measured before: after the camera has changed, for example. */
+    private void requireSamePicture(Contender ours, String scene, int side, Path file)
+            throws IOException, InterruptedException {
+        JsonObject printed = drawn(ours, scene, side, file);
+        String label = TriangleSource.label(scene);
+        for (Results.Picture picture : results.pictures()) {
+            if (printed != null
+                    && picture.scene().equals(label)
+                    && picture.side() == side
+                    && picture.isOurs()
+                    && picture.covered() != covered(printed)) {
+                throw new IllegalStateException(label + " covers " + covered(printed) + " samples, and covered "
+                        + picture.covered() + " when the others were measured: measure all of them again");
+            }
+        }
+    }
+
+    private static long covered(JsonObject printed) {
+        return (long) JsonRecords.real(printed, "covered");
+    }
+
+    private JsonObject drawn(Contender contender, String scene, int side, Path picture)
             throws IOException, InterruptedException {
         List<String> command = contender.drawing(scene, file(scene).toString(), side, 1, 1);
-        command.addAll(List.of("--picture", theirs.toString()));
-        JsonObject printed = process(command, 1);
+        command.addAll(List.of("--picture", picture.toString()));
+        return process(command, 1);
+    }
+
+    private void addPicture(Contender contender, String scene, int side, Path ours, Path theirs)
+            throws IOException, InterruptedException {
+        JsonObject printed = drawn(contender, scene, side, theirs);
         if (printed == null) {
             return;
         }
@@ -244,7 +296,7 @@ public final class SideBySide {
                         TriangleSource.label(scene),
                         side,
                         contender.name(),
-                        (long) JsonRecords.real(printed, "covered"),
+                        covered(printed),
                         difference.oursOnly(),
                         difference.theirsOnly(),
                         contender.isSrgb() ? difference.unequal() : -1,
@@ -282,7 +334,7 @@ public final class SideBySide {
                 samples,
                 threads,
                 contender.name(),
-                round,
+                roundsBefore + round,
                 JsonRecords.real(printed, "median"),
                 JsonRecords.real(printed, "q1"),
                 JsonRecords.real(printed, "q3"),
@@ -294,7 +346,14 @@ public final class SideBySide {
         results.facts().putIfAbsent("version of " + contender.name(), JsonRecords.text(printed, "version"));
         System.out.printf(
                 "round %d  %-16s %5d x %d  %d thread%s  %-24s %10.2f ms%n",
-                round, time.scene(), side, samples, threads, threads == 1 ? " " : "s", contender.name(), time.median());
+                time.round(),
+                time.scene(),
+                side,
+                samples,
+                threads,
+                threads == 1 ? " " : "s",
+                contender.name(),
+                time.median());
     }
 
     /** Times whole processes, from start to end, that render one image to a file. */

@@ -9,6 +9,8 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.UUID
+import kotlin.io.path.ExperimentalPathApi
+import kotlin.io.path.deleteRecursively
 import org.apache.spark.api.java.JavaRDD
 import org.apache.spark.api.java.function.Function
 import org.apache.spark.api.java.function.PairFlatMapFunction
@@ -32,6 +34,7 @@ internal class PyramidJob(
     private val levels = BoxPyramid.levels(width, height)
 
     /** Renders with [parts], and writes all files. */
+    @OptIn(ExperimentalPathApi::class)
     fun write(parts: SortFirst): Counters {
         require("$path".endsWith(".${DeepZoomFiles.EXTENSION}", ignoreCase = true)) {
             "cannot write $path: the name of a Deep Zoom pyramid must end in .${DeepZoomFiles.EXTENSION}"
@@ -52,7 +55,7 @@ internal class PyramidJob(
             return counters
         } finally {
             blocks.unpersist(false)
-            staging.toFile().deleteRecursively()
+            staging.deleteRecursively()
         }
     }
 
