@@ -33,12 +33,12 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     private val fromCentre =
         (0 until samplesOfPixel).sortedBy { square(it / factor) + square(it % factor) }.toIntArray()
 
-    /** Columns of the pixels that wait, and the place in [fragments] of their samples, or -1 if they are even. */
+    /** Columns of the pixels that wait, and the places of their samples in [fragments], or [EVEN]. */
     private val waiting = IntArray(room(factor))
     private val places = IntArray(room(factor))
     private var waitingCount = 0
 
-    /** Number of each sample of the mixed pixels that wait: that of its fragment, or -1 for the background. */
+    /** For each sample of the uneven pixels that wait: the number of its fragment, or [EMPTY] for the background. */
     private val fragments = IntArray(room(factor))
     private var fragmentsSize = 0
 
@@ -90,11 +90,12 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
         val first = primitives[0]
         var x = 0
         while (x < width) {
+            makeRoom()
             val index = first[factor * x]
             if (!isEven[x]) {
                 gatherMixed(x++, top)
             } else if (index != DepthTest.BACKGROUND) {
-                wait(x, -1)
+                await(x, EVEN)
                 add(index, x++, fromCentre[0], top)
             } else {
                 val start = x++
@@ -104,11 +105,15 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
         }
     }
 
-    /** Makes the pixel [x] wait for its colour. */
-    private fun wait(x: Int, place: Int) {
+    /** Shades what waits if there may be no room for another pixel. */
+    private fun makeRoom() {
         if (maxOf(shading.size, fragmentsSize) + samplesOfPixel > waiting.size) shade()
+    }
+
+    /** Adds the pixel [x] to those that wait; [place] is that of its samples in [fragments], or [EVEN]. */
+    private fun await(x: Int, place: Int) {
         waiting[waitingCount] = x
-        places[waitingCount++] = if (place < 0) place else fragmentsSize
+        places[waitingCount++] = place
     }
 
     private fun add(index: Int, x: Int, sample: Int, top: Int): Int =
@@ -116,8 +121,8 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
 
     /** Gathers a fragment of each primitive of the pixel [x]. */
     private fun gatherMixed(x: Int, top: Int) {
-        wait(x, 0)
         val at = fragmentsSize
+        await(x, at)
         fragmentsSize += samplesOfPixel
         fragments.fill(NONE, at, fragmentsSize)
         for (row in 0 until factor) {
@@ -140,7 +145,7 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
         var next = 0
         for (i in 0 until waitingCount) {
             val at = places[i]
-            if (at < 0) {
+            if (at == EVEN) {
                 sink.even(waiting[i], waiting[i] + 1, shading.argb[next++])
                 continue
             }
@@ -165,6 +170,9 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     }.build()
 
     companion object {
+        /** Instead of the place of a pixel that has one fragment. */
+        private const val EVEN = -1
+
         /** Numbers of samples without a fragment: of the background, and not yet known. */
         private const val EMPTY = -1
         private const val NONE = -2
