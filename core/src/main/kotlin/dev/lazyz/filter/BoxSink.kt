@@ -6,6 +6,7 @@ import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.filter.LightSums.ALPHA
 import dev.lazyz.filter.LightSums.CHANNELS
+import java.util.Arrays
 
 /**
  * Receives the rows of samples of a frame, and passes on the rows of pixels, each the mean of its own samples. They are
@@ -47,7 +48,7 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
                 uneven(row, x++, argb)
                 continue
             }
-            val end = PixelRuns.end(argb, x, factor, width)
+            val end = endOfRun(argb, x, factor, width)
             if (end > x) even(row, x, end, argb[factor * x]) else uneven(row, x, argb)
             x = maxOf(end, x + 1)
         }
@@ -133,7 +134,7 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
         var x = 0
         while (x < width) {
             val start = factor * x
-            val end = if (primitive[start] == DepthTest.BACKGROUND) PixelRuns.end(primitive, x, factor, width) else x
+            val end = if (primitive[start] == DepthTest.BACKGROUND) endOfRun(primitive, x, factor, width) else x
             if (end > x) {
                 // All samples of the background have the same depth
                 val empty = test.key(depth[start], DepthTest.BACKGROUND)
@@ -165,6 +166,23 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
 
         /** Bytes of a pixel: its sums and key; its corner and what is passed on; whether it is mixed. */
         private const val PIXEL_BYTES = 8L * CHANNELS + 8 + 4 * 4 + 1
+
+        /**
+         * Returns the end of the pixels from [x] on whose samples, [factor] of each, have the same [values]; [x] if its
+         * own have not. The row has [width] pixels.
+         */
+        fun endOfRun(values: IntArray, x: Int, factor: Int, width: Int): Int {
+            val start = factor * x
+            val value = values[start]
+            for (i in start + 1 until start + factor) if (values[i] != value) return x
+            val next = start + factor
+            val last = factor * width
+            if (next >= last || values[next] != value) return x + 1
+
+            // The number of samples that are equal to the one before
+            val equal = Arrays.mismatch(values, start, last - 1, values, start + 1, last)
+            return if (equal < 0) width else x + (equal + 1) / factor
+        }
 
         /** Bytes held for [pixels]. */
         fun bytes(pixels: Region): Long = PIXEL_BYTES * pixels.width

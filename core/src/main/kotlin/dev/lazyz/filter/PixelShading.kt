@@ -62,7 +62,7 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     private fun findEven() {
         var x = 0
         while (x < width) {
-            val end = PixelRuns.end(primitives[0], x, factor, width)
+            val end = BoxSink.endOfRun(primitives[0], x, factor, width)
             isEven.fill(end > x, x, maxOf(end, x + 1))
             x = maxOf(end, x + 1)
         }

@@ -84,24 +84,26 @@ public class SampledFrame internal constructor(
      *   primitives
      */
     @Throws(InterruptedException::class, IOException::class)
-    public fun render(renderer: Renderer, sink: RowSink): Counters = render(renderer, sink) { it }
+    public fun render(renderer: Renderer, sink: RowSink): Counters = render(renderer, sink, null)
 
     /**
-     * Renders the pixels, like the other [render]. The rows of samples go to what [tap] returns, which passes them on
-     * to the sink that it is given.
+     * Renders the pixels, like the other [render]. If there is a [tap], the rows of samples go to what it returns,
+     * which passes them on to the sink that it is given.
      */
-    internal fun render(renderer: Renderer, sink: RowSink, tap: (RowSink) -> RowSink): Counters {
-        if (isPlain) return renderer.render(frame, tap(sink))
+    internal fun render(renderer: Renderer, sink: RowSink, tap: ((RowSink) -> RowSink)?): Counters {
+        if (isPlain) return renderer.render(frame, tapped(sink, tap))
         val box = if (isBox) BoxSink(sampling.factor, frame, pixels, sink) else null
         val filter: RowSink = box ?: FilterSink(sampling.taps, frame, pixels, sink)
-        if (!isShadedLate) return renderer.render(frame, tap(filter))
+        if (!isShadedLate) return renderer.render(frame, tapped(filter, tap))
 
         // Find the visible primitives first, without their colours
         require(!frame.hasTranslucency) { "translucent primitives are shaded at every sample: use ShadingRate.SAMPLE" }
         val colors = box ?: SampleRows(sampling.factor, frame.width, filter)
         val shading = PixelShading(frame, sampling.factor, colors)
-        return shading.counted(renderer.render(frame.unshaded(), tap(shading)))
+        return shading.counted(renderer.render(frame.unshaded(), tapped(shading, tap)))
     }
+
+    private fun tapped(sink: RowSink, tap: ((RowSink) -> RowSink)?): RowSink = if (tap == null) sink else tap(sink)
 
     /** Renders the pixels to an image in memory. Throws like the other [render]. */
     @Throws(InterruptedException::class)

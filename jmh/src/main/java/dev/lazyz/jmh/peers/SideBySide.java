@@ -35,8 +35,8 @@ import kotlinx.serialization.json.JsonObject;
  * with {@value #SAMPLES} x {@value #SAMPLES}, shaded once a sample and, as llvmpipe does it, once a pixel.
  *
  * <p>With {@code --keep}, the file of results exists already, and results of other scenes and of whole processes are
- * kept. The facts of the new run then begin with {@value #ADDED}. With {@code --only} in addition, all results are kept,
- * and the named renderers and llvmpipe are measured in further rounds, whose facts begin with {@value #FURTHER}.
+ * kept. The facts of the new run then begin with {@value #ADDED}. With {@code --only} in addition, all results are
+ * kept, and the named renderers and llvmpipe are measured in further rounds, whose facts begin with {@value #FURTHER}.
  */
 public final class SideBySide {
     private static final Set<String> OPTIONS = Set.of(

@@ -125,6 +125,12 @@ record StageResults(
                 .noneMatch(frame -> frame.scene().equals(count.scene()) && frame.side() == count.side()));
     }
 
+    /** Removes the measurements of a frame with a runtime. */
+    void remove(String jvm, String scene, int side) {
+        frames.removeIf(frame -> frame.jvm().equals(jvm) && frame.scene().equals(scene) && frame.side() == side);
+        stages.removeIf(stage -> stage.jvm().equals(jvm) && stage.scene().equals(scene) && stage.side() == side);
+    }
+
     /** The names of all runtimes, the newest first. */
     List<String> jvms() {
         return machines.stream()

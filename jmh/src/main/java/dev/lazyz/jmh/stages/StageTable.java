@@ -21,11 +21,21 @@ import java.util.stream.Stream;
  *
  * <p>Each scene has a process of its own, {@link StageRun}, on one processor, with this process's Java runtime and its
  * options. So the command with {@code --add-modules jdk.incubator.vector} measures with the Vector API. Results of
- * other runtimes in the file of results are kept.
+ * other runtimes in the file of results are kept, with {@code --keep} also those of other scenes and sizes.
  */
 public final class StageTable {
     private static final Set<String> OPTIONS = Set.of(
-            "scenes", "models", "side", "processor", "warm-up", "measure", "record", "methods", "results", "page");
+            "scenes",
+            "models",
+            "side",
+            "processor",
+            "warm-up",
+            "measure",
+            "record",
+            "methods",
+            "keep",
+            "results",
+            "page");
 
     private static final String SCENES = "S1,S2,S3,S5,S6,cycle,city,teapot";
     private static final Set<String> FORMATS = Set.of("obj", "stl", "ply", "off", "3mf", "glb", "gltf");
@@ -48,11 +58,15 @@ public final class StageTable {
         Path file = Path.of(options.get("results", "docs/performance/stages.json"));
         StageResults results = Files.exists(file) ? StageResults.read(file) : StageResults.empty();
         String jvm = StageResults.jvm();
-        results.remove(jvm);
+        if (!Boolean.parseBoolean(options.get("keep", "false"))) {
+            results.remove(jvm);
+        }
         results.facts().put(jvm, LocalDate.now() + ", Java " + Runtime.version() + ", " + processorName());
         process(List.of(), results);
         for (String scene : scenes()) {
-            List<String> words = new ArrayList<>(List.of("--scene", scene, "--side", options.get("side", "1024")));
+            String side = options.get("side", "1024");
+            results.remove(jvm, TriangleSource.label(scene), Integer.parseInt(side));
+            List<String> words = new ArrayList<>(List.of("--scene", scene, "--side", side));
             words.addAll(List.of("--warm-up", options.get("warm-up", "2")));
             words.addAll(List.of("--measure", options.get("measure", "3")));
             words.addAll(List.of("--record", options.get("record", "4")));

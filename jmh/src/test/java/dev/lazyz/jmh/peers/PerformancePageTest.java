@@ -92,6 +92,17 @@ class PerformancePageTest {
     }
 
     @Test
+    void runsAreCountedAndTheirFactsKept() {
+        assertEquals(3, RESULTS.rounds());
+        assertEquals(0, Results.empty().rounds());
+        Results results = Results.empty();
+        for (String value : List.of("a", "b", "a")) {
+            results.addFact("added: command", value);
+        }
+        assertEquals("a; b", results.facts().get("added: command"));
+    }
+
+    @Test
     void threadsGain() {
         assertTrue(fill("gain").contains("| S1 | 1024 | JDK 25 | 1.75 x (1.50..2.00) |"), fill("gain"));
     }

@@ -58,11 +58,23 @@ class StagePageTest {
         results.write(folder.resolve("stages.json"));
         StageResults read = StageResults.read(folder.resolve("stages.json"));
         assertEquals(results, read);
+        read.remove("JDK 25", "S1", 128);
         read.remove("JDK 17");
         assertEquals(results, read);
         read.remove("JDK 25");
         assertEquals(StageResults.empty(), read);
         assertThrows(IllegalArgumentException.class, () -> read.add("other {}"));
+    }
+
+    @Test
+    void aFrameCanBeMeasuredAgain() {
+        StageResults results = results();
+        results.remove("JDK 25", "S1", 64);
+        assertTrue(results.frames().isEmpty());
+        assertTrue(results.stages().isEmpty());
+        assertEquals(results().machines(), results.machines());
+        LINES.stream().filter(line -> !line.startsWith("machine")).forEach(results::add);
+        assertEquals(results(), results);
     }
 
     @Test
