@@ -72,7 +72,7 @@ public final class StageTable {
             words.addAll(List.of("--record", options.get("record", "4")));
             words.addAll(List.of("--methods", options.get("methods", "0")));
             process(words, results);
-            print(results, jvm, TriangleSource.label(scene));
+            print(results, jvm, TriangleSource.label(scene), Integer.parseInt(side));
 
             // If a long run is stopped, the results so far are kept
             results.write(file);
@@ -101,9 +101,9 @@ public final class StageTable {
         return FORMATS.contains(name.substring(name.lastIndexOf('.') + 1));
     }
 
-    private static void print(StageResults results, String jvm, String scene) {
+    private static void print(StageResults results, String jvm, String scene, int side) {
         for (StageResults.FrameTime frame : results.frames()) {
-            if (frame.jvm().equals(jvm) && frame.scene().equals(scene)) {
+            if (frame.jvm().equals(jvm) && frame.scene().equals(scene) && frame.side() == side) {
                 StringBuilder line = new StringBuilder();
                 for (Stage stage : Stage.values()) {
                     line.append(String.format(Locale.ROOT, "  %s %.2f", stage.label(), results.time(frame, stage)));
