@@ -23,5 +23,6 @@ internal object Attributes {
     /** Derivatives of the texture coordinates that the fragment has, see [Fragment.dudx]. */
     const val FOOTPRINT: Int = 64
 
+    /** All of them. */
     const val ALL: Int = WORLD or NORMAL or UV or COLOR or UV2 or TANGENT or FOOTPRINT
 }

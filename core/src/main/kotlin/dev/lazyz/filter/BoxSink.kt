@@ -71,14 +71,16 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
     /** Takes a row of samples of the pixel [x]. */
     private fun uneven(row: Int, x: Int, argb: IntArray) {
         val start = factor * x
-        if (row == 0) {
-            corners[x] = argb[start]
-            isMixed[x] = true
-            sum(argb, start, start + factor) { at, light -> sums[CHANNELS * x + at] = light }
-        } else {
-            if (!isMixed[x]) mix(x, row)
-            sum(argb, start, start + factor) { at, light -> sums[CHANNELS * x + at] += light }
-        }
+        if (row == 0) return begin(x, argb, start, start + factor)
+        if (!isMixed[x]) mix(x, row)
+        sum(argb, start, start + factor) { at, light -> sums[CHANNELS * x + at] += light }
+    }
+
+    /** Begins the sums of the pixel [x] with the colours [start] until [end]. */
+    private fun begin(x: Int, colors: IntArray, start: Int, end: Int) {
+        corners[x] = colors[start]
+        isMixed[x] = true
+        sum(colors, start, end) { at, light -> sums[CHANNELS * x + at] = light }
     }
 
     /** Passes the sum of each channel of the colours [start] until [end] to [use]. */
@@ -122,11 +124,7 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
         }
     }
 
-    override fun mixed(x: Int, colors: IntArray) {
-        corners[x] = colors[0]
-        isMixed[x] = true
-        sum(colors, 0, colors.size) { at, light -> sums[CHANNELS * x + at] = light }
-    }
+    override fun mixed(x: Int, colors: IntArray) = begin(x, colors, 0, colors.size)
 
     /** Keeps the nearest sample of each pixel. */
     override fun samples(y: Int, depth: IntArray, primitive: IntArray) {

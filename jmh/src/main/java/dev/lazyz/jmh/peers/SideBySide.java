@@ -114,10 +114,14 @@ public final class SideBySide {
         Options options = new Options(args, OPTIONS);
         Path output = Path.of(options.get("results", "results.json"));
         boolean isKept = Boolean.parseBoolean(options.get("keep", "false"));
+        boolean isFurther = !options.all("only").isEmpty();
+        if (isFurther && !isKept) {
+            throw new IllegalArgumentException("--only adds rounds to earlier results: add --keep true");
+        }
         Results results = isKept ? Results.read(output) : Results.empty();
         Path folder = Files.createTempDirectory("lazyz-peers-");
         try {
-            String addition = options.all("only").isEmpty() ? ADDED : FURTHER;
+            String addition = isFurther ? FURTHER : ADDED;
             new SideBySide(options, folder, results).run(output, isKept ? addition : "");
         } finally {
             for (Path file : Files.list(folder).toList()) {
