@@ -17,10 +17,10 @@ import java.util.zip.InflaterInputStream;
 import javax.imageio.ImageIO;
 
 /**
- * java .ci/LargePicture.java [input [side [heap [rows]]]]: renders a picture larger than memory to a PNG, decodes it
- * with a decoder of its own, row by row, and compares random rows with what --region renders of them. Prints time,
- * memory and size. Fails if a row differs. By default ten gigapixels of the teapot with 256 MB: java
- * .ci/LargePicture.java teapot 100000 256m 12
+ * java .ci/LargePicture.java [input [side [heap [rows [option...]]]]]: renders a picture larger than memory to a PNG,
+ * decodes it with a decoder of its own, row by row, and compares random rows with what --region renders of them. Prints
+ * time, memory and size. Fails if a row differs. By default ten gigapixels of the teapot with 256 MB: java
+ * .ci/LargePicture.java teapot 100000 256m 12. Further options are those of zcli render.
  *
  * Needs zcli.jar, and some gigabytes in target/large-picture, which is deleted at the end. Not a part of .ci/run.
  */
@@ -33,7 +33,8 @@ public class LargePicture {
         Path folder = Files.createDirectories(Path.of("target", "large-picture"));
         Path picture = folder.resolve("picture.png");
 
-        List<String> render = List.of("render", input, "--size", side + "x" + side, "--aa", "1");
+        List<String> render = new ArrayList<>(List.of("render", input, "--size", side + "x" + side, "--aa", "1"));
+        render.addAll(Arrays.asList(args).subList(Math.min(4, args.length), args.length));
         String cost = zcli(heap, render, "-o", picture.toString());
         System.out.printf("%dx%d of %s, -Xmx%s: %s, %,d bytes%n", side, side, input, heap, cost, Files.size(picture));
 

@@ -7,9 +7,19 @@ import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A hilly square as a file, row by row, as programs for maps and scans write it. */
+/**
+ * A hilly square as a file, row by row, as programs for maps and scans write it.
+ *
+ * <p>{@code java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.large.Hills hills.stl 50000000} writes one; a third
+ * argument is a format of {@link LargeModel}.
+ */
 public final class Hills {
     private Hills() {}
+
+    public static void main(String[] args) throws IOException {
+        int written = write(Path.of(args[0]), Integer.parseInt(args[1]), args.length > 2 ? args[2] : "stl");
+        System.out.printf("%d triangles%n", written);
+    }
 
     /** Writes about so many triangles in a {@code format} of {@link LargeModel}; returns how many. */
     static int write(Path file, int triangles, String format) throws IOException {

@@ -1,13 +1,16 @@
 package dev.lazyz.jmh.memory;
 
+import dev.lazyz.Renderer;
 import dev.lazyz.jmh.large.Hills;
 import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Options;
+import dev.lazyz.strategies.Renderers;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,13 +20,13 @@ import java.util.stream.Stream;
 /**
  * Checks the promise of {@code zcli render --memory}: renders scenes in several sizes to several formats with several
  * amounts of memory, each in a JVM with a heap of that size. Each picture must have the same hash as without a limit,
- * or
- * be refused before it is rendered. Prints a table, and writes it into a page. Fails if a cell fails.
+ * or be refused before it is rendered. Prints tables, and writes them into a page. Fails if a cell fails.
  *
  * <p>{@code java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.memory.MemoryGrid}
  *
  * <p>Options: {@code --jar}, that of zcli; {@code --page}; {@code --memory}, mebibytes, repeated; {@code --java}, an
- * option of Java, repeated; {@code --seconds}, the longest time of a cell; {@code --formats}, of pictures, png,ppm,dzi.
+ * option of Java, repeated; {@code --seconds}, the longest time of a cell; {@code --formats}, of pictures, png,ppm,dzi;
+ * {@code --tables}, by default both: {@code grid} of the default strategy, and {@code strategies}.
  */
 public final class MemoryGrid {
     private static final List<List<String>> SIZES = List.of(
@@ -49,7 +52,7 @@ public final class MemoryGrid {
     }
 
     public static void main(String[] args) throws IOException, InterruptedException {
-        Options options = new Options(args, Set.of("jar", "page", "memory", "java", "seconds", "formats"));
+        Options options = new Options(args, Set.of("jar", "page", "memory", "java", "seconds", "formats", "tables"));
         List<String> chosen = options.all("memory");
         List<Integer> amounts = (chosen.isEmpty() ? List.of("16", "32", "64", "128", "256") : chosen)
                 .stream().map(Integer::valueOf).toList();
@@ -61,14 +64,17 @@ public final class MemoryGrid {
                 options.list("formats", "png,ppm,dzi"),
                 folder);
         try {
-            String table = grid.table(amounts);
+            Map<String, String> tables = new HashMap<>();
+            for (String table : options.list("tables", "grid,strategies")) {
+                Map<String, List<String>> inputs = table.equals("grid") ? grid.inputs() : grid.strategies();
+                tables.put(table, grid.table(inputs, amounts));
+            }
             System.out.printf(
                     "%d rendered with the same hash, %d refused, %d failed%n",
                     grid.rendered, grid.refused, grid.failed);
             Path page = Path.of(options.get("page", "docs/memory.md"));
             if (Files.exists(page)) {
-                String filled = GeneratedPage.fill(Files.readString(page), name -> name.equals("grid") ? table : null);
-                Files.writeString(page, filled);
+                Files.writeString(page, GeneratedPage.fill(Files.readString(page), tables::get));
             }
         } finally {
             delete(folder);
@@ -90,17 +96,33 @@ public final class MemoryGrid {
         return inputs;
     }
 
+    /** Returns what is rendered with each strategy but the default one. */
+    private Map<String, List<String>> strategies() throws IOException {
+        Map<String, List<String>> inputs = new LinkedHashMap<>();
+        String large = hills(1_000_000);
+        for (Renderer renderer : Renderers.getBuiltIn()) {
+            String id = renderer.getId();
+            if (!id.equals("tiled")) {
+                inputs.put("teapot, `" + id + "`", List.of("teapot", "--strategy", id));
+            }
+        }
+        for (String id : List.of("zbuffer", "hybrid", "hierarchical")) {
+            inputs.put("1 million, `--stream`, `" + id + "`", List.of(large, "--stream", "--strategy", id));
+        }
+        return inputs;
+    }
+
     private String hills(int triangles) throws IOException {
         Path file = folder.resolve(triangles + ".stl");
         Hills.write(file, triangles);
         return file.toString();
     }
 
-    private String table(List<Integer> amounts) throws IOException, InterruptedException {
+    private String table(Map<String, List<String>> inputs, List<Integer> amounts) throws IOException, InterruptedException {
         List<String> head = new ArrayList<>(List.of("input", "picture"));
         amounts.forEach(amount -> head.add(amount + " MiB"));
         List<List<String>> rows = new ArrayList<>();
-        for (Map.Entry<String, List<String>> input : inputs().entrySet()) {
+        for (Map.Entry<String, List<String>> input : inputs.entrySet()) {
             for (List<String> size : SIZES) {
                 List<String> row =
                         new ArrayList<>(List.of(input.getKey(), String.join(" ", size.subList(1, size.size()))));

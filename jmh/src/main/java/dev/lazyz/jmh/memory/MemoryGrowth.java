@@ -26,14 +26,14 @@ import org.knowm.xchart.style.Styler;
  * <p>{@code java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.memory.MemoryGrowth}
  *
  * <p>Options: {@code --jar}, that of zcli; {@code --page}; {@code --charts}, the folder of charts; {@code --axis},
- * pixels
- * or triangles, by default both; {@code --seconds}, the longest time of a run.
+ * pixels or triangles, by default both; {@code --seconds}, the longest time of a run. A run that takes longer counts as
+ * one without enough memory.
  */
 public final class MemoryGrowth {
     private static final List<Integer> SIDES = List.of(512, 1448, 4096);
-    private static final List<Integer> TRIANGLES = List.of(10_000, 60_000, 360_000);
+    private static final List<Integer> TRIANGLES = List.of(10_000, 60_000, 360_000, 2_160_000);
 
-    private static final Set<String> STREAMING = Set.of("tiled", "zbuffer", "hybrid");
+    private static final Set<String> STREAMING = Set.of("tiled", "zbuffer", "hybrid", "hierarchical");
 
     /** The smallest heap is found to within one part in so many. */
     private static final int PRECISION = 4;
@@ -41,7 +41,7 @@ public final class MemoryGrowth {
     /** Where the search begins. */
     private static final int FIRST = 12;
 
-    private static final int MOST = 2048;
+    private static final int MOST = 4096;
 
     private final Path jar;
     private final int seconds;
@@ -187,7 +187,7 @@ public final class MemoryGrowth {
         chart.getStyler().setXAxisLogarithmic(true);
         chart.getStyler().setYAxisLogarithmic(true);
         chart.getStyler().setYAxisMin(1.0);
-        chart.getStyler().setYAxisMax(1000.0);
+        chart.getStyler().setYAxisMax(10_000.0);
         chart.getStyler().setLegendPosition(Styler.LegendPosition.OutsideE);
         chart.getStyler().setChartBackgroundColor(Color.WHITE);
         curves.forEach((name, curve) -> {
