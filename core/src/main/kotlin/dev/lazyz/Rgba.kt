@@ -59,6 +59,17 @@ public class Rgba @JvmOverloads constructor(
         public fun ofRgb(rgb: Int): Rgba = ofArgb(rgb or (0xFF shl 24))
 
         /**
+         * Returns the linear light, 0..1, of an sRGB-encoded component, as files store it (IEC 61966-2-1). Values
+         * outside 0..1 are clamped, and NaN gives 0. The bits are the same on every machine.
+         */
+        @JvmStatic
+        public fun linearOf(encoded: Double): Float = when {
+            !(encoded > 0.0) -> 0f
+            encoded >= 1.0 -> 1f
+            else -> Srgb.decode(encoded).toFloat()
+        }
+
+        /**
          * Returns the colour of a hue, a saturation and a value (HSV, also called HSB).
          *
          * As in image editors, HSV describes the sRGB-encoded components, each in 0..1; they are then decoded to the

@@ -62,7 +62,7 @@ internal object Srgb {
         return if (nearest < value) Math.nextUp(nearest) else nearest
     }
 
-    /** Returns the linear value of [encoded], 0..1. */
+    /** Returns the linear value of [encoded], 0..1. The definition of this function for the whole project. */
     fun decode(encoded: Double): Double =
         if (encoded <= 0.04045) encoded / 12.92 else StrictMath.pow((encoded + 0.055) / 1.055, 2.4)
 

@@ -124,4 +124,12 @@ class RgbaTest {
         }
         for (wrong in listOf(Float.NaN, Float.POSITIVE_INFINITY)) assertNamed("hueDegrees") { Rgba.hsv(wrong, 1f, 1f) }
     }
+
+    @Test
+    fun linearLightIsThatOfTheTable() {
+        for (code in 0..255) assertEquals(Rgba.ofRgb(code).blue, Rgba.linearOf(code / 255.0))
+        for (below in listOf(-0.0, -1.0, Double.NEGATIVE_INFINITY, Double.NaN)) assertEquals(0f, Rgba.linearOf(below))
+        for (above in listOf(1.0, 1.5, Double.POSITIVE_INFINITY)) assertEquals(1f, Rgba.linearOf(above))
+        assertEquals((0.04 / 12.92).toFloat(), Rgba.linearOf(0.04))
+    }
 }

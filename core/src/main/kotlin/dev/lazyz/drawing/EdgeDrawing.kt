@@ -104,7 +104,7 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
         /** The length below which a part of a silhouette is left out, see [Crumbs], as a multiple of the width. */
         const val CRUMB = 8.0
 
-        /** The distance at which lines belong together, likewise. */
+        /** The distance at which lines belong together, in the same unit. */
         const val NEAR = 1.0
     }
 }

@@ -39,7 +39,7 @@ internal class GroundShader(private val grid: ShadowGrid, private val strength: 
         /** Where shadows end, as a part of the shorter side of the raster: inside the outermost pixels. */
         const val BORDER = 0.02f
 
-        /** How far from the border shadows are not faded, likewise: as far as the margin of a product's picture. */
+        /** Distance from the border from which shadows are not faded, same unit: the margin of a product's picture. */
         const val INNER = 0.12f
     }
 }

@@ -10,7 +10,7 @@ import org.joml.Vector3dc
  *
  * @param maps the light
  * @param center middle of the grid, relative to the origin of the [maps], world units
- * @param halfX half of the extent of the scene along x, world units; likewise [halfZ]
+ * @param halfX half of the extent of the scene along x, world units; [halfZ] is the same along z
  * @param spread by how much the grid is larger than the scene on each side, world units
  */
 internal class ShadowGrid(

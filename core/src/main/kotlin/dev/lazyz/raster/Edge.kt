@@ -10,7 +10,7 @@ package dev.lazyz.raster
 internal object Edge {
     /**
      * Returns twice the signed area, square grid units, of the triangle of an edge and the point ([x], [y]): positive
-     * if the point is to the right of somebody who goes along the edge, that is if the three are clockwise on the
+     * if the point is on the right of the edge as it runs, that is if the three are clockwise on the
      * screen; 0 if it is on the line through the edge.
      */
     @JvmStatic
@@ -18,12 +18,12 @@ internal object Edge {
         (toX - fromX).toLong() * (y - fromY) - (toY - fromY).toLong() * (x - fromX)
 
     /**
-     * Whether the samples on an edge belong to the shape to its right: it is a left edge, which runs upward, or a top
-     * edge, which runs to the right (rule 2.2). [runX] and [runY] are the extents of the edge, from its start to its
-     * end.
+     * The top-left rule (rule 2.2): whether the samples on an edge belong to the shape on its right. They do if it is a
+     * left edge, which runs upward, or a top edge, which runs to the right. [runX] and [runY] are the extents of the
+     * edge, from its start to its end.
      */
     @JvmStatic
-    fun ownsSamples(runX: Int, runY: Int): Boolean = runY < 0 || (runY == 0 && runX > 0)
+    fun isTopLeft(runX: Int, runY: Int): Boolean = runY < 0 || (runY == 0 && runX > 0)
 
     /**
      * Returns the position where an edge crosses row [row], as the numerator of a fraction in pixels with denominator

@@ -7,8 +7,8 @@ import dev.lazyz.Spans
  * The edges of a polygon that cross rows of the raster, as exact integers (contract rule 2).
  *
  * Vertices are on the 1/256 pixel grid. An edge crosses row y if its upper end is at or above the samples of the row,
- * and its lower end is below them. The crossing covers the samples at it and to the right of it. The two uses of "at"
- * are the top-left rule.
+ * and its lower end is below them. The crossing covers the samples at it and to the right of it. So a sample exactly
+ * on an edge is inside for left and top edges: the top-left rule.
  *
  * @param xs x of the vertices, grid units, one contour after the other
  * @param ys y of the vertices, grid units

@@ -41,4 +41,20 @@ internal object ScreenGrid {
 
     /** Returns the first column (or row) whose sample is at or after the grid position [grid]. */
     fun firstSample(grid: Int): Int = (grid - CENTER + STEPS - 1) shr SHIFT
+
+    /** Passes to [use] the columns and rows of the samples in the bounds of a triangle; ends are exclusive. */
+    inline fun bounds(
+        ax: Int,
+        ay: Int,
+        bx: Int,
+        by: Int,
+        cx: Int,
+        cy: Int,
+        use: (columnStart: Int, rowStart: Int, columnEnd: Int, rowEnd: Int) -> Unit,
+    ) {
+        use(
+            firstSample(minOf(ax, minOf(bx, cx))), firstSample(minOf(ay, minOf(by, cy))),
+            firstSample(maxOf(ax, maxOf(bx, cx))), firstSample(maxOf(ay, maxOf(by, cy))),
+        )
+    }
 }

@@ -18,9 +18,9 @@ import kotlin.math.round
  *
  * @param segment number of the segment in [strokes]
  * @param half half the width, grid steps
- * @param x0 column position of the first end on the 1/256 pixel grid; y0, x1 and y1 likewise
- * @param z0 depth of the first end; z1 likewise
- * @param over0 1/w of the first end; over1 likewise
+ * @param x0 column position of the first end on the 1/256 pixel grid; y0 its row position; x1 and y1 of the second end
+ * @param z0 depth of the first end; z1 of the second
+ * @param over0 1/w of the first end; over1 of the second
  * @param from position of the first end on the unclipped segment: 0 unless it has been clipped
  * @param until position of the second end on the unclipped segment: 1 unless it has been clipped
  */

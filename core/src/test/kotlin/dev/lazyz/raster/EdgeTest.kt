@@ -45,7 +45,7 @@ class EdgeTest {
             if (edges.any { (from, to) -> function(from, to, sample) == 0L }) onEdges++
             val isInside = edges.all { (from, to) ->
                 val value = function(from, to, sample)
-                value > 0 || (value == 0L && Edge.ownsSamples(to.x - from.x, to.y - from.y))
+                value > 0 || (value == 0L && Edge.isTopLeft(to.x - from.x, to.y - from.y))
             }
             assertEquals(covers(listOf(a, b, c), column, sampleY), isInside) { "$a $b $c at $column, $sampleY" }
         }

@@ -15,7 +15,7 @@ import kotlin.math.floor
  * the rules of the contract for edges. A line of the width of a sample or more has no gaps. Immutable and thread safe.
  *
  * @param pen what all strokes of a drawing share
- * @param x0 column position of the first end on the 1/256 pixel grid; y0, x1 and y1 likewise
+ * @param x0 column position of the first end on the 1/256 pixel grid; y0 its row position; x1 and y1 of the second end
  */
 internal class Stroke(
     private val pen: Pen,

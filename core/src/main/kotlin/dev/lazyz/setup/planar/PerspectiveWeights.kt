@@ -5,8 +5,8 @@ internal object PerspectiveWeights {
     /**
      * Passes the weights of the vertices at a sample to [use]. The only division for a fragment.
      *
-     * @param e0 edge function opposite to vertex 0 at the sample; e1 and e2 likewise
-     * @param over0 1/w of vertex 0; over1 and over2 likewise
+     * @param e0 edge function opposite to vertex 0 at the sample; e1 and e2 for the other vertices
+     * @param over0 1/w of vertex 0; over1 and over2 of the other vertices
      * @param least a lower bound of the sum of the edge functions, each multiplied by its 1/w
      */
     inline fun of(

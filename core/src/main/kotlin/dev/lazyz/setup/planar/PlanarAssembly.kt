@@ -21,8 +21,8 @@ import kotlin.math.round
  * @param selection the contours' vertices in [vertices], one contour after the other
  * @param contourEnds for each contour, the index after its last vertex
  * @param xs column positions on the 1/256 pixel grid, in the order of [selection]
- * @param ys row positions, likewise
- * @param depths depths, likewise
+ * @param ys row positions of the same vertices
+ * @param depths depths of the same vertices
  */
 internal class PlanarAssembly(
     private val vertices: Vertices,

@@ -161,40 +161,38 @@ internal class PlanarPrimitive(
     /** Sets the derivatives of the texture coordinates (contract rules 6.6 and 6.12). */
     private fun footprint(fragment: Fragment, first: Long, second: Long, third: Long) {
         val forms = edgeFunctions()
-        val over0 = 1.0 / vertices.get(corners[0], Vertices.W)
-        val over1 = 1.0 / vertices.get(corners[1], Vertices.W)
-        val over2 = 1.0 / vertices.get(corners[2], Vertices.W)
-        val part0 = first.toDouble() * over0
-        val part1 = second.toDouble() * over1
-        val part2 = third.toDouble() * over2
-        val scale = PerspectiveWeights.scale(part0, part1, part2, reference.size.toDouble() * leastInverseW)
-        val step = scale * fragment.footprintSide
-        val right0 = forms.first.dx.toDouble() * over0 * step
-        val right1 = forms.second.dx.toDouble() * over1 * step
-        val right2 = forms.third.dx.toDouble() * over2 * step
-        val down0 = forms.first.dy.toDouble() * over0 * step
-        val down1 = forms.second.dy.toDouble() * over1 * step
-        val down2 = forms.third.dy.toDouble() * over2 * step
-        if (fields and Attributes.UV != 0) {
-            val u = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV)
-            val v = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV + 1)
-            fragment.dudx = slope(Vertices.UV, u, right0, right1, right2)
-            fragment.dvdx = slope(Vertices.UV + 1, v, right0, right1, right2)
-            fragment.dudy = slope(Vertices.UV, u, down0, down1, down2)
-            fragment.dvdy = slope(Vertices.UV + 1, v, down0, down1, down2)
-        }
-        if (fields and Attributes.UV2 != 0) {
-            val u = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV2)
-            val v = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV2 + 1)
-            fragment.du2dx = slope(Vertices.UV2, u, right0, right1, right2)
-            fragment.dv2dx = slope(Vertices.UV2 + 1, v, right0, right1, right2)
-            fragment.du2dy = slope(Vertices.UV2, u, down0, down1, down2)
-            fragment.dv2dy = slope(Vertices.UV2 + 1, v, down0, down1, down2)
+        TextureFootprint.of(
+            first.toDouble(), second.toDouble(), third.toDouble(),
+            forms.first.dx, forms.second.dx, forms.third.dx,
+            forms.first.dy, forms.second.dy, forms.third.dy,
+            1.0 / vertices.get(corners[0], Vertices.W), 1.0 / vertices.get(corners[1], Vertices.W),
+            1.0 / vertices.get(corners[2], Vertices.W), reference.size.toDouble() * leastInverseW,
+            fragment.footprintSide,
+        ) { w0, w1, w2, right0, right1, right2, down0, down1, down2 ->
+            if (fields and Attributes.UV != 0) {
+                TextureFootprint.derivatives(
+                    vertices, Vertices.UV, corners[0], corners[1], corners[2],
+                    w0, w1, w2, right0, right1, right2, down0, down1, down2,
+                ) { uRight, vRight, uDown, vDown ->
+                    fragment.dudx = uRight
+                    fragment.dvdx = vRight
+                    fragment.dudy = uDown
+                    fragment.dvdy = vDown
+                }
+            }
+            if (fields and Attributes.UV2 != 0) {
+                TextureFootprint.derivatives(
+                    vertices, Vertices.UV2, corners[0], corners[1], corners[2],
+                    w0, w1, w2, right0, right1, right2, down0, down1, down2,
+                ) { uRight, vRight, uDown, vDown ->
+                    fragment.du2dx = uRight
+                    fragment.dv2dx = vRight
+                    fragment.du2dy = uDown
+                    fragment.dv2dy = vDown
+                }
+            }
         }
     }
-
-    private fun slope(field: Int, value: Double, s0: Double, s1: Double, s2: Double): Float =
-        vertices.slope(field, value, corners[0], s0, corners[1], s1, corners[2], s2).toFloat()
 
     private fun mixed(w0: Double, w1: Double, w2: Double, field: Int): Double =
         vertices.mixed(field, corners[0], w0, corners[1], w1, corners[2], w2)

@@ -37,6 +37,14 @@ internal class TriangleBatch(
     /** Returns the index in [grid] of the first number of vertex [corner], 0..2, of [triangle]. */
     fun place(triangle: Int, corner: Int): Int = STRIDE * corners[3 * triangle + corner]
 
+    /** Passes the vertices of [triangle], in grid units, to [use]. */
+    inline fun vertices(triangle: Int, use: (ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int) -> Unit) {
+        val a = place(triangle, 0)
+        val b = place(triangle, 1)
+        val c = place(triangle, 2)
+        use(grid[a], grid[a + 1], grid[b], grid[b + 1], grid[c], grid[c + 1])
+    }
+
     override fun isDrawn(number: Int): Boolean =
         hidden == null || hidden[number ushr WORD_SHIFT] ushr number and 1L == 0L
 

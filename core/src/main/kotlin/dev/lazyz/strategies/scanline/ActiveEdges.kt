@@ -4,7 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
-import dev.lazyz.raster.reaches
+import dev.lazyz.raster.byFirstRow
 
 /**
  * The active edge list: the ends of all spans of the current row, in order of columns.
@@ -25,7 +25,7 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
      * The edge table: primitives that are not yet active, with the first row in the upper half and the index in the
      * lower half, ascending.
      */
-    private val waiting = waiting()
+    private val waiting = frame.byFirstRow()
     private var entered = 0
 
     /** A primitive that the current row may intersect, and the numbers of its spans. */
@@ -107,16 +107,6 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
         // Update the columns of the edges, and sort them
         renew()
         sort()
-    }
-
-    private fun waiting(): LongArray {
-        val all = LongArray(frame.primitives.size)
-        var used = 0
-        for ((index, primitive) in frame.primitives.withIndex()) {
-            val rowStart = maxOf(primitive.rowStart, region.rowStart)
-            if (primitive.reaches(region)) all[used++] = rowStart.toLong() shl 32 or index.toLong()
-        }
-        return all.copyOf(used).apply { sort() }
     }
 
     private fun enter(index: Int, y: Int) {

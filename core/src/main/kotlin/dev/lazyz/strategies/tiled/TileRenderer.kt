@@ -11,6 +11,7 @@ import dev.lazyz.strategies.tiled.binning.Band
 import dev.lazyz.strategies.tiled.binning.BandSpans
 import dev.lazyz.strategies.tiled.binning.isOpaqueTriangle
 import dev.lazyz.strategies.tiled.raster.CancellationCheck
+import dev.lazyz.strategies.tiled.raster.FineRaster
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
@@ -35,7 +36,7 @@ internal class TileRenderer(
     private val layers = TileLayers(keys, test, counters)
     private val spans = Spans(frame.region)
     private val drawing = FineRaster(keys, kernels.blocks(), counters)
-    private val batches = EarlyRejection(content, test, keys, drawing, checkpoint)
+    private val batches = FrontToBackDrawing(content, test, keys, drawing, checkpoint)
     private val forms = TriangleForms(test)
     private val shading = TileShading(frame, keys, layers, coherence, kernels.fragments(), counters, checkpoint)
     private var cursorBytes = 0L

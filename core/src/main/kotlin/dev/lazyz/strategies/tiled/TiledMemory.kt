@@ -65,14 +65,23 @@ internal class TiledMemory(private val frame: Frame, tileSize: Int, private val 
      * Adds the tiles that a triangle may reach, or the samples that it may cover if it is small, to those of groups.
      */
     private fun add(batch: TriangleBatch, triangle: Int, pairs: LongArray, fragments: LongArray) {
-        val values = batch.grid
-        val a = batch.place(triangle, 0)
-        val b = batch.place(triangle, 1)
-        val c = batch.place(triangle, 2)
-        val left = ScreenGrid.firstSample(minOf(values[a], values[b], values[c]))
-        val right = ScreenGrid.firstSample(maxOf(values[a], values[b], values[c]))
-        val top = ScreenGrid.firstSample(minOf(values[a + 1], values[b + 1], values[c + 1]))
-        val bottom = ScreenGrid.firstSample(maxOf(values[a + 1], values[b + 1], values[c + 1]))
+        batch.vertices(triangle) { ax, ay, bx, by, cx, cy ->
+            ScreenGrid.bounds(ax, ay, bx, by, cx, cy) { left, top, right, bottom ->
+                val isSmall = right - left <= SmallCoverage.SIDE && bottom - top <= SmallCoverage.SIDE
+                add(left, top, right, bottom, isSmall, pairs, fragments)
+            }
+        }
+    }
+
+    private fun add(
+        left: Int,
+        top: Int,
+        right: Int,
+        bottom: Int,
+        isSmall: Boolean,
+        pairs: LongArray,
+        fragments: LongArray,
+    ) {
         val columnStart = maxOf(left, region.columnStart)
         val columnEnd = minOf(right, region.columnEnd)
         val rowStart = maxOf(top, region.rowStart)
@@ -80,7 +89,6 @@ internal class TiledMemory(private val frame: Frame, tileSize: Int, private val 
         if (columnStart >= columnEnd || rowStart >= rowEnd) return
         val first = grid.bandOf(rowStart)
         val last = grid.bandOf(rowEnd - 1)
-        val isSmall = right - left <= SmallCoverage.SIDE && bottom - top <= SmallCoverage.SIDE
         for (group in first / bandsAtOnce..last / bandsAtOnce) {
             if (isSmall) {
                 fragments[group] += (columnEnd - columnStart).toLong() * (rowEnd - rowStart)

@@ -31,7 +31,7 @@ internal class BandPainting(frame: Frame, bandHeight: Int, private val counters:
     private fun at(x: Int, y: Int): Int = (y - firstRow) * region.width + (x - region.columnStart)
 
     /** Sets all samples of [area] to the [cover], which covers them all, or to the background, without comparing. */
-    fun fill(area: Region, cover: Footprint?) {
+    fun fill(area: Region, cover: BandCoverage?) {
         if (cover == null) {
             for (y in area.rowStart until area.rowEnd) {
                 val start = at(area.columnStart, y)
@@ -47,7 +47,7 @@ internal class BandPainting(frame: Frame, bandHeight: Int, private val counters:
         }
     }
 
-    private fun fillRow(area: Region, y: Int, cover: Footprint) {
+    private fun fillRow(area: Region, y: Int, cover: BandCoverage) {
         var at = at(area.columnStart, y)
         for (x in area.columnStart until area.columnEnd) {
             keys[at++] = test.key(cover.primitive.depth(x, y), cover.index)
@@ -65,7 +65,7 @@ internal class BandPainting(frame: Frame, bandHeight: Int, private val counters:
     }
 
     /** Scan-converts the [candidate] in [area]; each sample keeps the lesser key. */
-    fun draw(area: Region, candidate: Footprint) {
+    fun draw(area: Region, candidate: BandCoverage) {
         val box = candidate.boxIn(area)
         for (y in box.rowStart until box.rowEnd) {
             var position = candidate.firstSpan(y, box.columnStart)
@@ -78,7 +78,7 @@ internal class BandPainting(frame: Frame, bandHeight: Int, private val counters:
         }
     }
 
-    private fun drawSpan(candidate: Footprint, y: Int, start: Int, end: Int) {
+    private fun drawSpan(candidate: BandCoverage, y: Int, start: Int, end: Int) {
         counters.depthEvaluations += end - start
         val primitive = candidate.primitive
         val form = primitive.depthForm

@@ -28,7 +28,7 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
     private var candidates = IntArray(INITIAL)
     private var samples = IntArray(INITIAL)
 
-    private lateinit var footprints: Footprints
+    private lateinit var coverages: BandCoverages
 
     /** The visible key of each sample of the band, in rows from its top. */
     val keys: LongArray get() = painting.keys
@@ -37,15 +37,15 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
     val bytes: Long get() = painting.bytes + Int.SIZE_BYTES * (candidates.size + samples.size)
 
     /** Fills [keys] for [band]. */
-    fun decide(band: Region, footprints: Footprints) {
-        this.footprints = footprints
+    fun decide(band: Region, coverages: BandCoverages) {
+        this.coverages = coverages
         painting.begin(band)
-        reserve(footprints.count)
-        for (number in 0 until footprints.count) {
+        reserve(coverages.count)
+        for (number in 0 until coverages.count) {
             candidates[number] = number
             samples[number] = UNKNOWN
         }
-        decide(band, 0, footprints.count, WITHOUT_PARENT)
+        decide(band, 0, coverages.count, WITHOUT_PARENT)
     }
 
     /** Fills [area], a part of an area of [parentSize] samples whose candidates are at [from] until [until]. */
@@ -55,10 +55,10 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
 
         // Classify: drop disjoint candidates, and take as the cover the surrounder whose farthest key is least
         var end = until
-        var cover: Footprint? = null
+        var cover: BandCoverage? = null
         var coverKey = backgroundKey
         for (i in from until until) {
-            val candidate = footprints[candidates[i]]
+            val candidate = coverages[candidates[i]]
             // All candidates after this one are at least as far away: the cover hides them
             if (candidate.nearestKey > coverKey) break
             val covered = if (samples[i] == parentSize) size else candidate.samplesIn(area)
@@ -79,7 +79,7 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
         var kept = until
         var fragments = 0L
         for (i in until until end) {
-            val candidate = footprints[candidates[i]]
+            val candidate = coverages[candidates[i]]
             if (candidate !== cover && isHidden(candidate, cover, coverKey, area)) continue
             candidates[kept] = candidates[i]
             samples[kept] = samples[i]
@@ -91,7 +91,7 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
         if (fragments <= size + size / SPARE || size <= LEAF) {
             painting.fill(area, cover)
             for (i in until until kept) {
-                val candidate = footprints[candidates[i]]
+                val candidate = coverages[candidates[i]]
                 if (candidate !== cover) painting.draw(area, candidate)
             }
             return
@@ -113,7 +113,7 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
      * Whether [candidate] is hidden by the [cover] (null for the background). [coverKey] bounds the cover's keys from
      * above.
      */
-    private fun isHidden(candidate: Footprint, cover: Footprint?, coverKey: Long, area: Region): Boolean {
+    private fun isHidden(candidate: BandCoverage, cover: BandCoverage?, coverKey: Long, area: Region): Boolean {
         // Bounds decide most pairs, in one direction or the other
         if (candidate.nearestKey > coverKey) return true
         if (candidate.farthestKey < (cover?.nearestKey ?: backgroundKey)) return false

@@ -58,7 +58,7 @@ public class Warnock @JvmOverloads constructor(private val options: RenderOption
         val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
         val region = frame.region
-        val footprints = Footprints(frame, counters)
+        val coverages = BandCoverages(frame, counters)
         val bandHeight = minOf(BAND, maxOf(BAND_SAMPLES / region.width, 1), region.height)
         val subdivision = Subdivision(frame, bandHeight, counters)
         val rows = KeyedRows(frame, LateShading(frame, options.coherence, counters), counters)
@@ -66,9 +66,9 @@ public class Warnock @JvmOverloads constructor(private val options: RenderOption
             val band = Region(region.columnStart, top, region.columnEnd, minOf(top + bandHeight, region.rowEnd))
 
             // Record what is covered, and determine what is visible
-            footprints.moveTo(band)
-            subdivision.decide(band, footprints)
-            counters.peakBytes = maxOf(counters.peakBytes, footprints.bytes + subdivision.bytes)
+            coverages.moveTo(band)
+            subdivision.decide(band, coverages)
+            counters.peakBytes = maxOf(counters.peakBytes, coverages.bytes + subdivision.bytes)
 
             // Shade after the visible primitives are known
             rows.handOut(band, subdivision.keys, sink)

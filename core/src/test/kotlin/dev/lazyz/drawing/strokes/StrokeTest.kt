@@ -60,7 +60,7 @@ class StrokeTest {
             val (fromX, fromY) = corners[i]
             val (toX, toY) = corners[(i + 1) % 4]
             val side = Edge.function(fromX, fromY, toX, toY, sampleX, sampleY)
-            side > 0 || (side == 0L && Edge.ownsSamples(toX - fromX, toY - fromY))
+            side > 0 || (side == 0L && Edge.isTopLeft(toX - fromX, toY - fromY))
         }
     }
 

@@ -152,22 +152,22 @@ class WarnockTest {
     }
 
     @Test
-    fun anAreaIsRelatedToAFootprintExactly() {
+    fun anAreaIsRelatedToACoverageExactly() {
         for (seed in 0L until 300L) {
             val frame = AreaFrames(seed).frame()
             val region = frame.region
             val random = Random(seed)
-            val footprints = Footprints(frame, Counters.Builder())
+            val coverages = BandCoverages(frame, Counters.Builder())
             val bandEnd = minOf(region.rowStart + 64, region.rowEnd)
             val band = Region(region.columnStart, region.rowStart, region.columnEnd, bandEnd)
-            footprints.moveTo(band)
+            coverages.moveTo(band)
             repeat(20) {
                 val x = random.nextInt(band.columnStart, band.columnEnd)
                 val y = random.nextInt(band.rowStart, band.rowEnd)
                 val area = Region(x, y, random.nextInt(x, band.columnEnd) + 1, random.nextInt(y, band.rowEnd) + 1)
-                for (i in 0 until footprints.count) {
-                    val footprint = footprints[i]
-                    assertEquals(coveredIn(area, footprint.primitive), footprint.samplesIn(area), "seed $seed, $area")
+                for (i in 0 until coverages.count) {
+                    val coverage = coverages[i]
+                    assertEquals(coveredIn(area, coverage.primitive), coverage.samplesIn(area), "seed $seed, $area")
                 }
             }
         }

@@ -118,7 +118,8 @@ public final class MemoryGrid {
         return file.toString();
     }
 
-    private String table(Map<String, List<String>> inputs, List<Integer> amounts) throws IOException, InterruptedException {
+    private String table(Map<String, List<String>> inputs, List<Integer> amounts)
+            throws IOException, InterruptedException {
         List<String> head = new ArrayList<>(List.of("input", "picture"));
         amounts.forEach(amount -> head.add(amount + " MiB"));
         List<List<String>> rows = new ArrayList<>();

@@ -59,8 +59,8 @@ final class StageMap {
             raster.ReferenceTriangle                                 SET_UP
             raster.EdgeFunctions                                     SET_UP
             raster.Edge                                              CALLER
-            strategies.tiled.EarlyRejection                          SET_UP
-            strategies.tiled.FineRaster.begin                        SET_UP
+            strategies.tiled.FrontToBackDrawing                      SET_UP
+            strategies.tiled.raster.FineRaster.begin                 SET_UP
             strategies.tiled.raster.ScalarBlockKernel.begin          SET_UP
             strategies.tiled.raster.VectorBlockKernel.begin          SET_UP
             strategies.tiled.raster.TriangleForms                    SET_UP
@@ -78,7 +78,7 @@ final class StageMap {
             strategies.tiled.binning.VectorSmallTriangleKernelKt     COVER
             strategies.tiled.binning.TriangleBins.lower              COVER
             strategies.tiled.binning.BandSpans                       COVER
-            strategies.tiled.FineRaster                              COVER
+            strategies.tiled.raster.FineRaster                       COVER
             strategies.tiled.TileRenderer                            COVER
             strategies.tiled.raster.BlockKernel                      COVER
             strategies.tiled.raster.ScalarBlockKernel                COVER

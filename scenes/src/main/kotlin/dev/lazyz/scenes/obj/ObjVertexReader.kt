@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.scenes.images.SrgbDecoding
+import dev.lazyz.Rgba
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.Decimal
 import dev.lazyz.scenes.text.Statements
@@ -53,7 +53,7 @@ internal class ObjVertexReader(
         if (!statements.nextWord()) return
         val blue = double()
         checkRest()
-        sink.color(SrgbDecoding.decode(red), SrgbDecoding.decode(green), SrgbDecoding.decode(blue))
+        sink.color(Rgba.linearOf(red), Rgba.linearOf(green), Rgba.linearOf(blue))
     }
 
     /** Reads the current statement, a `vt`. */

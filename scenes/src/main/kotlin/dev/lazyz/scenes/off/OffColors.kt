@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.off
 
+import dev.lazyz.Rgba
 import dev.lazyz.scenes.collections.Floats
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.images.SrgbDecoding
@@ -86,7 +87,7 @@ internal class OffColors {
             channel == 3 && number == OPAQUE -> 1f
             channel == 3 -> if (isCode) number / MOST_CODE else number
             isCode -> SrgbDecoding.decodeByte(number.coerceIn(0f, MOST_CODE).toInt())
-            else -> SrgbDecoding.decode(number.toDouble())
+            else -> Rgba.linearOf(number.toDouble())
         }
     }
 

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.ply
 
+import dev.lazyz.Rgba
 import dev.lazyz.scenes.images.SrgbDecoding
 
 /**
@@ -19,7 +20,7 @@ internal class PlyColor private constructor(private val channels: IntArray, priv
         val number = row.numbers[column]
         val isCode = row.properties[column].type == PlyType.UCHAR
         if (isCode) return SrgbDecoding.decodeByte(number.toInt().coerceIn(0, 255))
-        return SrgbDecoding.decode(number / most(row, column))
+        return Rgba.linearOf(number / most(row, column))
     }
 
     private fun most(row: PlyRow, column: Int): Double = row.properties[column].type.most

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.stl
 
+import dev.lazyz.Rgba
 import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.Palette
@@ -42,7 +43,7 @@ internal class StlColors private constructor(
         return numbers[code]
     }
 
-    private fun level(bits: Int): Float = SrgbDecoding.decode((bits and MOST_LEVEL) / MOST_LEVEL.toDouble())
+    private fun level(bits: Int): Float = Rgba.linearOf((bits and MOST_LEVEL) / MOST_LEVEL.toDouble())
 
     companion object {
         private const val HEADER = 80

@@ -26,20 +26,26 @@ internal class CoarseRaster(private val area: BinArea, private val grid: TileGri
      * [bandEnd] of the area. If it is 0, [forEach] must not be called.
      */
     fun begin(batch: TriangleBatch, triangle: Int, bandStart: Int = 0, bandEnd: Int = area.bands): Int {
-        val a = batch.place(triangle, 0)
-        val b = batch.place(triangle, 1)
-        val c = batch.place(triangle, 2)
-        ax = batch.grid[a]
-        ay = batch.grid[a + 1]
-        bx = batch.grid[b]
-        by = batch.grid[b + 1]
-        cx = batch.grid[c]
-        cy = batch.grid[c + 1]
-        val left = maxOf(ScreenGrid.firstSample(minOf(ax, minOf(bx, cx))), area.columnStart)
-        val right = minOf(ScreenGrid.firstSample(maxOf(ax, maxOf(bx, cx))), area.columnEnd)
-        val top = maxOf(ScreenGrid.firstSample(minOf(ay, minOf(by, cy))), area.rowStart)
-        val bottom = minOf(ScreenGrid.firstSample(maxOf(ay, maxOf(by, cy))), area.rowEnd)
-        if (left >= right || top >= bottom) return 0
+        batch.vertices(triangle) { x0, y0, x1, y1, x2, y2 ->
+            ax = x0
+            ay = y0
+            bx = x1
+            by = y1
+            cx = x2
+            cy = y2
+        }
+        var tiles = 0
+        ScreenGrid.bounds(ax, ay, bx, by, cx, cy) { columnStart, rowStart, columnEnd, rowEnd ->
+            val left = maxOf(columnStart, area.columnStart)
+            val right = minOf(columnEnd, area.columnEnd)
+            val top = maxOf(rowStart, area.rowStart)
+            val bottom = minOf(rowEnd, area.rowEnd)
+            if (left < right && top < bottom) tiles = begin(left, top, right, bottom, bandStart, bandEnd)
+        }
+        return tiles
+    }
+
+    private fun begin(left: Int, top: Int, right: Int, bottom: Int, bandStart: Int, bandEnd: Int): Int {
         firstColumn = grid.columnOf(left)
         lastColumn = grid.columnOf(right - 1)
         firstBand = grid.bandOf(top)

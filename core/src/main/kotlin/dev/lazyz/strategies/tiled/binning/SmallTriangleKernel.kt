@@ -26,26 +26,16 @@ internal abstract class SmallTriangleKernel {
 
     /** Computes the coverage of one triangle and stores it at index [i]. */
     protected fun coverOne(batch: TriangleBatch, triangle: Int, i: Int) {
-        val grid = batch.grid
-        val a = batch.place(triangle, 0)
-        val b = batch.place(triangle, 1)
-        val c = batch.place(triangle, 2)
-        val ax = grid[a]
-        val ay = grid[a + 1]
-        val bx = grid[b]
-        val by = grid[b + 1]
-        val cx = grid[c]
-        val cy = grid[c + 1]
-        val column = ScreenGrid.firstSample(minOf(ax, minOf(bx, cx)))
-        val columnEnd = ScreenGrid.firstSample(maxOf(ax, maxOf(bx, cx)))
-        val row = ScreenGrid.firstSample(minOf(ay, minOf(by, cy)))
-        val rowEnd = ScreenGrid.firstSample(maxOf(ay, maxOf(by, cy)))
-        left[i] = column
-        top[i] = row
-        covered[i] = if (columnEnd - column <= SmallCoverage.SIDE && rowEnd - row <= SmallCoverage.SIDE) {
-            SmallCoverage.of(ax, ay, bx, by, cx, cy, column, row)
-        } else {
-            LARGE
+        batch.vertices(triangle) { ax, ay, bx, by, cx, cy ->
+            ScreenGrid.bounds(ax, ay, bx, by, cx, cy) { column, row, columnEnd, rowEnd ->
+                left[i] = column
+                top[i] = row
+                covered[i] = if (columnEnd - column <= SmallCoverage.SIDE && rowEnd - row <= SmallCoverage.SIDE) {
+                    SmallCoverage.of(ax, ay, bx, by, cx, cy, column, row)
+                } else {
+                    LARGE
+                }
+            }
         }
     }
 

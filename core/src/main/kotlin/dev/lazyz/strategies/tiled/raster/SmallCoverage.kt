@@ -20,7 +20,7 @@ internal object SmallCoverage {
     /** The bits of all samples of the square. */
     const val ALL: Int = (1 shl SIDE * SIDE) - 1
 
-    /** Column within the square of each of its samples, in two bits each, and likewise the row. */
+    /** Column within the square of each of its samples, in two bits each, and the row in the same way. */
     private const val COLUMNS = 0b10_01_00_10_01_00_10_01_00
     private const val ROWS = 0b10_10_10_01_01_01_00_00_00
 

@@ -55,7 +55,7 @@ internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
     }
 
     private fun edge(fromX: Int, fromY: Int, toX: Int, toY: Int, sampleX: Int, sampleY: Int): Long {
-        val lowered = if (Edge.ownsSamples(toX - fromX, toY - fromY)) 0 else 1
+        val lowered = if (Edge.isTopLeft(toX - fromX, toY - fromY)) 0 else 1
         return Edge.function(fromX, fromY, toX, toY, sampleX, sampleY) - lowered
     }
 

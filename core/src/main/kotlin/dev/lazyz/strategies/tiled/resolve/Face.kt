@@ -10,6 +10,7 @@ import dev.lazyz.setup.planar.FaceSetUp
 import dev.lazyz.setup.planar.PerspectiveWeights
 import dev.lazyz.setup.planar.PlanarAssembly
 import dev.lazyz.setup.planar.PlanarPrimitive
+import dev.lazyz.setup.planar.TextureFootprint
 import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.shading.MaterialShader
 import dev.lazyz.shading.Vertices
@@ -176,36 +177,33 @@ internal class Face : EdgeForms() {
 
     /** Fills in the derivatives of the texture coordinates of one sample, at index [i] of [batch]. */
     fun footprint(batch: FragmentBatch, i: Int, x: Int, y: Int) {
-        val part0 = (e0 + e0dx * x + e0dy * y).toDouble() * over0
-        val part1 = (e1 + e1dx * x + e1dy * y).toDouble() * over1
-        val part2 = (e2 + e2dx * x + e2dy * y).toDouble() * over2
-        val scale = PerspectiveWeights.scale(part0, part1, part2, least)
-        val right0 = e0dx.toDouble() * over0 * scale
-        val right1 = e1dx.toDouble() * over1 * scale
-        val right2 = e2dx.toDouble() * over2 * scale
-        val down0 = e0dy.toDouble() * over0 * scale
-        val down1 = e1dy.toDouble() * over1 * scale
-        val down2 = e2dy.toDouble() * over2 * scale
-        if (fields and Attributes.UV != 0) {
-            val u = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV)
-            val v = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV + 1)
-            batch.dudx[i] = slope(Vertices.UV, u, right0, right1, right2)
-            batch.dvdx[i] = slope(Vertices.UV + 1, v, right0, right1, right2)
-            batch.dudy[i] = slope(Vertices.UV, u, down0, down1, down2)
-            batch.dvdy[i] = slope(Vertices.UV + 1, v, down0, down1, down2)
-        }
-        if (fields and Attributes.UV2 != 0) {
-            val u = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV2)
-            val v = mixed(part0 * scale, part1 * scale, part2 * scale, Vertices.UV2 + 1)
-            batch.du2dx[i] = slope(Vertices.UV2, u, right0, right1, right2)
-            batch.dv2dx[i] = slope(Vertices.UV2 + 1, v, right0, right1, right2)
-            batch.du2dy[i] = slope(Vertices.UV2, u, down0, down1, down2)
-            batch.dv2dy[i] = slope(Vertices.UV2 + 1, v, down0, down1, down2)
+        TextureFootprint.of(
+            (e0 + e0dx * x + e0dy * y).toDouble(), (e1 + e1dx * x + e1dy * y).toDouble(),
+            (e2 + e2dx * x + e2dy * y).toDouble(),
+            e0dx, e1dx, e2dx, e0dy, e1dy, e2dy, over0, over1, over2, least, 1,
+        ) { w0, w1, w2, right0, right1, right2, down0, down1, down2 ->
+            if (fields and Attributes.UV != 0) {
+                TextureFootprint.derivatives(
+                    vertices, Vertices.UV, 0, 1, 2, w0, w1, w2, right0, right1, right2, down0, down1, down2,
+                ) { uRight, vRight, uDown, vDown ->
+                    batch.dudx[i] = uRight
+                    batch.dvdx[i] = vRight
+                    batch.dudy[i] = uDown
+                    batch.dvdy[i] = vDown
+                }
+            }
+            if (fields and Attributes.UV2 != 0) {
+                TextureFootprint.derivatives(
+                    vertices, Vertices.UV2, 0, 1, 2, w0, w1, w2, right0, right1, right2, down0, down1, down2,
+                ) { uRight, vRight, uDown, vDown ->
+                    batch.du2dx[i] = uRight
+                    batch.dv2dx[i] = vRight
+                    batch.du2dy[i] = uDown
+                    batch.dv2dy[i] = vDown
+                }
+            }
         }
     }
-
-    private fun slope(field: Int, value: Double, s0: Double, s1: Double, s2: Double): Float =
-        vertices.slope(field, value, 0, s0, 1, s1, 2, s2).toFloat()
 
     private fun mix(batch: FragmentBatch, i: Int, w0: Double, w1: Double, w2: Double) {
         if (fields and Attributes.WORLD != 0) {

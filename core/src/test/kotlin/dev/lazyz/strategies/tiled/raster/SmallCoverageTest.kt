@@ -61,7 +61,7 @@ class SmallCoverageTest {
         val clockwise = if (area < 0) listOf(a to c, c to b, b to a) else listOf(a to b, b to c, c to a)
         return area != 0L && clockwise.all { (from, to) ->
             val value = function(from, to, sample)
-            value > 0 || (value == 0L && Edge.ownsSamples(to.x - from.x, to.y - from.y))
+            value > 0 || (value == 0L && Edge.isTopLeft(to.x - from.x, to.y - from.y))
         }
     }
 

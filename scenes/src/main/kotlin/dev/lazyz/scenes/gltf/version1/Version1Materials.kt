@@ -3,7 +3,7 @@ package dev.lazyz.scenes.gltf.version1
 import com.fasterxml.jackson.databind.JsonNode
 import com.fasterxml.jackson.databind.node.JsonNodeFactory
 import com.fasterxml.jackson.databind.node.ObjectNode
-import dev.lazyz.scenes.images.SrgbDecoding
+import dev.lazyz.Rgba
 
 /**
  * Converts materials of glTF 1.0. Their shaders are arbitrary, so only the value named `diffuse` is used: a colour or a
@@ -28,7 +28,7 @@ internal class Version1Materials(private val file: JsonNode, private val texture
             textures[diffuse.asText()]?.let { pbr.putObject("baseColorTexture").put("index", it) }
         } else if (diffuse.size() >= 3) {
             val factor = pbr.putArray("baseColorFactor")
-            for (i in 0 until 3) factor.add(SrgbDecoding.decode(diffuse[i].asDouble()))
+            for (i in 0 until 3) factor.add(Rgba.linearOf(diffuse[i].asDouble()))
             factor.add(diffuse.path(3).asDouble(1.0).coerceIn(0.0, 1.0).toFloat())
         }
 

@@ -4,7 +4,6 @@ import de.javagl.obj.FloatTuple
 import de.javagl.obj.Mtl
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.images.HeightNormals
-import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
@@ -118,9 +117,9 @@ internal class MtlMaterials(private val source: Source, folders: List<Path>) {
 
     private fun color(tuple: FloatTuple?): Rgba? = tuple?.let {
         Rgba(
-            SrgbDecoding.decode(it.x.toDouble()),
-            SrgbDecoding.decode(it.y.toDouble()),
-            SrgbDecoding.decode(it.z.toDouble()),
+            Rgba.linearOf(it.x.toDouble()),
+            Rgba.linearOf(it.y.toDouble()),
+            Rgba.linearOf(it.z.toDouble()),
         )
     }
 

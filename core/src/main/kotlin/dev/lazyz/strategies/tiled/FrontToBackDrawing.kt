@@ -7,6 +7,7 @@ import dev.lazyz.setup.planar.triangleBatchWith
 import dev.lazyz.strategies.tiled.binning.NearToFar
 import dev.lazyz.strategies.tiled.binning.TriangleBins
 import dev.lazyz.strategies.tiled.raster.CancellationCheck
+import dev.lazyz.strategies.tiled.raster.FineRaster
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
@@ -14,7 +15,7 @@ import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
  * Draws the batches' triangles of one tile from near to far, so that hidden triangles can be rejected before they are
  * drawn. Belongs to one thread; reused for each tile.
  */
-internal class EarlyRejection(
+internal class FrontToBackDrawing(
     private val content: FrameContent,
     private val test: DepthTest,
     private val keys: VisibilityBuffer,
@@ -31,7 +32,8 @@ internal class EarlyRejection(
 
     /** Draws the triangles that [bins] holds for the tile [column] of band number [band]. */
     fun draw(bins: TriangleBins, band: Int, column: Int) {
-        drawing.lower(bins, band, column)
+        // The fragments of small triangles are already known
+        drawing.count(bins.fragmentCount(band, column), bins.lower(band, column, keys.keys))
         bins.copyTriangles(band, column, triangles.begin(bins.triangleCount(band, column)))
         triangles.sort()
         for (i in 0 until triangles.count) {
@@ -54,19 +56,11 @@ internal class EarlyRejection(
     private var lastBatch: TriangleBatch? = null
 
     private fun draw(batch: TriangleBatch, triangle: Int) {
-        val grid = batch.grid
-        val a = batch.place(triangle, 0)
-        val b = batch.place(triangle, 1)
-        val c = batch.place(triangle, 2)
-        val ax = grid[a]
-        val ay = grid[a + 1]
-        val bx = grid[b]
-        val by = grid[b + 1]
-        val cx = grid[c]
-        val cy = grid[c + 1]
-        if (!drawing.begin(ax, ay, bx, by, cx, cy)) return
-        forms.depth(batch, triangle)
-        forms.moveTo(keys.columnStart, keys.rowStart)
-        drawing.draw(forms, ax, ay, bx, by, cx, cy)
+        batch.vertices(triangle) { ax, ay, bx, by, cx, cy ->
+            if (!drawing.begin(ax, ay, bx, by, cx, cy)) return
+            forms.depth(batch, triangle)
+            forms.moveTo(keys.columnStart, keys.rowStart)
+            drawing.draw(forms, ax, ay, bx, by, cx, cy)
+        }
     }
 }

@@ -5,7 +5,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.Spans
 import dev.lazyz.raster.VisibilityOrder
-import dev.lazyz.raster.reaches
+import dev.lazyz.raster.byFirstRow
 import java.util.Arrays
 
 /**
@@ -13,15 +13,15 @@ import java.util.Arrays
  *
  * Primitives are sorted by their first rows, added at the band of their first row, and removed after their last row.
  */
-internal class Footprints(private val frame: Frame, private val counters: Counters.Builder) {
+internal class BandCoverages(private val frame: Frame, private val counters: Counters.Builder) {
     private val region = frame.region
     private val order = VisibilityOrder(frame.raster.depthTest)
     private val spans = Spans(region)
 
     /** First row in the upper half, index in the lower half, ascending. */
-    private val waiting = waiting()
+    private val waiting = frame.byFirstRow()
     private var joined = 0
-    private var active = arrayOfNulls<Footprint>(INITIAL)
+    private var active = arrayOfNulls<BandCoverage>(INITIAL)
 
     /** Number of primitives that cover something in the band, or may do so in the next. */
     var count: Int = 0
@@ -31,8 +31,8 @@ internal class Footprints(private val frame: Frame, private val counters: Counte
     var bytes: Long = 0
         private set
 
-    /** Returns the footprint [number]. Footprints are in ascending order of their nearest possible keys. */
-    operator fun get(number: Int): Footprint = active[number]!!
+    /** Returns the coverage [number]. BandCoverages are in ascending order of their nearest possible keys. */
+    operator fun get(number: Int): BandCoverage = active[number]!!
 
     /** Moves to [band], which follows the last band. */
     fun moveTo(band: Region) {
@@ -40,7 +40,7 @@ internal class Footprints(private val frame: Frame, private val counters: Counte
         while (joined < waiting.size && (waiting[joined] shr 32).toInt() < band.rowEnd) {
             if (count == active.size) active = active.copyOf(2 * count)
             val index = waiting[joined].toInt()
-            active[count++] = Footprint(frame.primitives[index], index, order, (waiting[joined] shr 32).toInt())
+            active[count++] = BandCoverage(frame.primitives[index], index, order, (waiting[joined] shr 32).toInt())
             joined++
         }
 
@@ -53,27 +53,17 @@ internal class Footprints(private val frame: Frame, private val counters: Counte
         // Record what is covered, and sort from near to far
         bytes = Long.SIZE_BYTES * (waiting.size + 2L * active.size) + spans.bytes
         for (i in 0 until count) {
-            val footprint = get(i)
-            footprint.moveTo(band, spans)
-            counters.fragments += footprint.samples
-            bytes += footprint.bytes
+            val coverage = get(i)
+            coverage.moveTo(band, spans)
+            counters.fragments += coverage.samples
+            bytes += coverage.bytes
         }
         Arrays.sort(active, 0, count, NEAREST_FIRST)
-    }
-
-    private fun waiting(): LongArray {
-        val all = LongArray(frame.primitives.size)
-        var used = 0
-        for ((index, primitive) in frame.primitives.withIndex()) {
-            val rowStart = maxOf(primitive.rowStart, region.rowStart)
-            if (primitive.reaches(region)) all[used++] = rowStart.toLong() shl 32 or index.toLong()
-        }
-        return all.copyOf(used).apply { sort() }
     }
 
     private companion object {
         const val INITIAL = 16
 
-        val NEAREST_FIRST = Comparator<Footprint?> { a, b -> a!!.nearestKey.compareTo(b!!.nearestKey) }
+        val NEAREST_FIRST = Comparator<BandCoverage?> { a, b -> a!!.nearestKey.compareTo(b!!.nearestKey) }
     }
 }

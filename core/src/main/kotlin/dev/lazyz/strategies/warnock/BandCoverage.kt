@@ -15,7 +15,7 @@ import dev.lazyz.raster.VisibilityOrder
  *
  * @param rowStart the first row of the first band
  */
-internal class Footprint(val primitive: Primitive, val index: Int, order: VisibilityOrder, rowStart: Int) {
+internal class BandCoverage(val primitive: Primitive, val index: Int, order: VisibilityOrder, rowStart: Int) {
     /** Bounds of the keys of all the primitive's fragments. */
     val nearestKey: Long = order.nearestKey(primitive, index)
     val farthestKey: Long = order.farthestKey(primitive, index)

@@ -1,12 +1,7 @@
-package dev.lazyz.strategies.tiled
+package dev.lazyz.strategies.tiled.raster
 
 import dev.lazyz.Counters
 import dev.lazyz.raster.ScreenGrid
-import dev.lazyz.strategies.tiled.binning.TriangleBins
-import dev.lazyz.strategies.tiled.raster.BlockKernel
-import dev.lazyz.strategies.tiled.raster.SmallCoverage
-import dev.lazyz.strategies.tiled.raster.TriangleForms
-import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**
  * Draws triangles into the keys of a tile, block by block. Belongs to one thread.
@@ -34,26 +29,23 @@ internal class FineRaster(
 
     /** Begins the triangle with these vertices, in grid units. Returns whether its bounds have samples in the tile. */
     fun begin(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int): Boolean {
-        val columnStart = ScreenGrid.firstSample(minOf(ax, minOf(bx, cx)))
-        val columnEnd = ScreenGrid.firstSample(maxOf(ax, maxOf(bx, cx)))
-        val rowStart = ScreenGrid.firstSample(minOf(ay, minOf(by, cy)))
-        val rowEnd = ScreenGrid.firstSample(maxOf(ay, maxOf(by, cy)))
-        left = maxOf(columnStart, tile.columnStart) - tile.columnStart
-        right = minOf(columnEnd, tile.columnEnd) - tile.columnStart
-        top = maxOf(rowStart, tile.rowStart) - tile.rowStart
-        bottom = minOf(rowEnd, tile.rowEnd) - tile.rowStart
-        isSmall = columnEnd - columnStart <= SmallCoverage.MOST &&
-            rowEnd - rowStart <= SmallCoverage.MOST && (columnEnd - columnStart) * (rowEnd - rowStart) <= SMALL
+        ScreenGrid.bounds(ax, ay, bx, by, cx, cy) { columnStart, rowStart, columnEnd, rowEnd ->
+            left = maxOf(columnStart, tile.columnStart) - tile.columnStart
+            right = minOf(columnEnd, tile.columnEnd) - tile.columnStart
+            top = maxOf(rowStart, tile.rowStart) - tile.rowStart
+            bottom = minOf(rowEnd, tile.rowEnd) - tile.rowStart
+            isSmall = columnEnd - columnStart <= SmallCoverage.MOST &&
+                rowEnd - rowStart <= SmallCoverage.MOST && (columnEnd - columnStart) * (rowEnd - rowStart) <= SMALL
+        }
         return left < right && top < bottom
     }
 
-    /** Draws the fragments of small triangles, which [bins] has already computed. */
-    fun lower(bins: TriangleBins, band: Int, column: Int) {
-        val count = bins.fragmentCount(band, column)
-        counters.fragments += count
-        counters.depthEvaluations += count
-        counters.depthPasses += bins.lower(band, column, tile.keys)
-        tile.compared(count)
+    /** Counts so many [fragments], of which so many were in front of what was drawn before. */
+    fun count(fragments: Int, passes: Int) {
+        counters.fragments += fragments
+        counters.depthEvaluations += fragments
+        counters.depthPasses += passes
+        tile.compared(fragments)
     }
 
     /**
@@ -99,11 +91,7 @@ internal class FineRaster(
                 passes++
             }
         }
-        val covered = Integer.bitCount(coverage)
-        counters.fragments += covered
-        counters.depthEvaluations += covered
-        counters.depthPasses += passes
-        tile.compared(covered)
+        count(Integer.bitCount(coverage), passes)
     }
 
     /** Draws a triangle block by block. Edges and depth must be set, with the tile's first sample as the origin. */
