@@ -5,9 +5,6 @@ import dev.lazyz.Raster
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.frames.screen.PolygonPiece
 import dev.lazyz.conformance.frames.screen.screenCase
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Scene
-import dev.lazyz.world.surface.Mesh
 import java.util.Random
 
 /**
@@ -37,17 +34,17 @@ private fun tallMesh(height: Int, random: Random): FrameCase {
         val z = random.nextInt(DEPTHS) / DEPTHS.toFloat()
         listOf(x, y, z, x + size, y, z, x, y + size, z).map { it.toFloat() }
     }
-    val positions = corners.flatten().toFloatArray()
-    val scene = Scene.builder().add(Mesh(positions, IntArray(3 * TRIANGLES) { it })).viewpoint(Camera.screen()).build()
-    val code = "Scene.builder().add(Mesh(floatArrayOf(${positions.joinToString { "${it}f" }}), " +
-        "IntArray(${3 * TRIANGLES}) { it })).viewpoint(Camera.screen()).build().frame($WIDTH, $height)"
-    return FrameCase(scene.frame(Raster(WIDTH, height)), code, scene)
+    return screenMesh(Raster(WIDTH, height), corners)
 }
 
-/** Frames of a few triangles, in random order, on a raster of very many rows and one of very many columns. */
+/**
+ * Frames of a few triangles, in random order, on rasters of very many rows, and of very many columns: one for each power
+ * of two, so that all numbers of digits of numbers of tiles occur.
+ */
 internal fun longRasters(salt: Long): List<FrameCase> {
     val random = Random(salt)
-    return listOf(Raster(SHORT, LONG), Raster(LONG, SHORT)).map { raster ->
+    val lengths = LENGTHS.map { it + random.nextInt(it) }
+    return lengths.flatMap { listOf(Raster(SHORT, it), Raster(it, SHORT)) }.map { raster ->
         val pieces = List(TRIANGLES) {
             val x = random.nextInt(raster.width - SHORT + 1).toDouble()
             val y = random.nextInt(raster.height - SHORT + 1).toDouble()
@@ -60,5 +57,5 @@ internal fun longRasters(salt: Long): List<FrameCase> {
 }
 
 private const val SHORT = 8
-private const val LONG = 20_000
+private val LENGTHS = List(5) { 1024 shl it }
 private const val DEPTHS = 16

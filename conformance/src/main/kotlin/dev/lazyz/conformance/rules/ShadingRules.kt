@@ -15,6 +15,7 @@ import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.TranslucentCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.requireDeclared
+import dev.lazyz.conformance.probes.surfacesOfOneShader
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -91,6 +92,18 @@ public sealed interface ShadingRules : RulesForOne {
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_1_coloursThatAreNotSetAreBlack(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         Judgement(renderer(), case.partlyColoured()).equalsReference()
+    }
+
+    /** Surfaces that have one shader, but different attributes. */
+    @Rule(
+        intent = "An attribute that a surface does not have is 0 for its shader, whatever was shaded before.",
+        look = "Look for fragments that are shaded together because their shader is the same: their attributes may " +
+            "not be.",
+        about = [Symptom.COLOR],
+    )
+    @Property(tries = 6, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_6_2_surfacesOfOneShaderHaveTheirOwnAttributes(@ForAll salt: Long) {
+        Judgement(renderer(), surfacesOfOneShader(salt)).equalsReference()
     }
 
     /** Infinite, negative or NaN light is packed as defined. */

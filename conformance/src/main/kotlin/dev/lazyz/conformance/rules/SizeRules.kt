@@ -21,6 +21,8 @@ import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.Selection
+import dev.lazyz.conformance.probes.closeToAWall
+import dev.lazyz.conformance.probes.edgesAtTheEndsOfTiles
 import dev.lazyz.conformance.probes.longRasters
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
@@ -69,13 +71,25 @@ public sealed interface SizeRules : RulesForOne {
         intent = "There can be thousands of tiles in a row or a column, and primitives are submitted in any order.",
         look = "Look for numbers of tiles in too few bits, and for a sort by row whose later passes are missing.",
     )
-    @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_1_1_thousandsOfTilesAreDrawnCorrectly(@ForAll salt: Long) {
         for (case in longRasters(salt)) {
             val expected = Judgement(renderer(), case).equalsReference().rendering.image
             val options = RenderOptions(tileSize = 8)
             Judgement(renderer().configured(options), case, "$options").equalsPicture(expected)
         }
+    }
+
+    /** Wide triangles with edges through the samples at the ends of tiles. */
+    @Rule(
+        intent = "A triangle hides what is behind it only at samples that it covers: the top-left rule also holds at " +
+            "the ends of tiles.",
+        look = "Look at the test that a triangle covers a tile: a sample on an edge that does not own it is not " +
+            "covered.",
+    )
+    @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_2_2_wideTrianglesHideOnlyWhatTheyCover(@ForAll salt: Long) {
+        for (case in edgesAtTheEndsOfTiles(salt)) Judgement(renderer(), case).equalsReference()
     }
 
     /** Dozens of spans in one row of a primitive. */
@@ -97,6 +111,16 @@ public sealed interface SizeRules : RulesForOne {
     public fun rule_2_3_thousandsOfSpansAreDrawn() {
         val multitude = Multitude.ofSpans()
         Judgement(renderer(), multitude.case).equalsPicture(multitude.image)
+    }
+
+    /** Many triangles hardly in front of a wall, and hardly behind it. */
+    @Rule(
+        intent = "A fragment that is nearer by a single unit of depth is visible, however many others are near it.",
+        look = "Look for triangles that are rejected because another one was: a rough order of depths is no order.",
+    )
+    @Property(tries = 6, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_5_1_trianglesCloseToAWallAreDrawnCorrectly(@ForAll salt: Long) {
+        Judgement(renderer(), closeToAWall(salt)).equalsReference()
     }
 
     /** Dozens of primitives at one sample. Also blended, by renderers that blend. */

@@ -1,0 +1,129 @@
+package dev.lazyz.conformance.probes
+
+import dev.lazyz.BatchShader
+import dev.lazyz.Fragment
+import dev.lazyz.FragmentBatch
+import dev.lazyz.Raster
+import dev.lazyz.Shader
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
+import java.util.Random
+
+// Meshes that are given on the screen, on rasters of several tiles
+
+/** The frame of a mesh of triangles, each given by x, y and z of its corners: samples, and a part of the depths. */
+internal fun screenMesh(raster: Raster, triangles: List<List<Float>>): FrameCase {
+    val positions = triangles.flatten().toFloatArray()
+    val count = 3 * triangles.size
+    val scene = Scene.builder().add(Mesh(positions, IntArray(count) { it })).viewpoint(Camera.screen()).build()
+    val code = "Scene.builder().add(Mesh(floatArrayOf(${positions.joinToString { "${it}f" }}), " +
+        "IntArray($count) { it })).viewpoint(Camera.screen()).build().frame(${raster.width}, ${raster.height})"
+    return FrameCase(scene.frame(raster), code, scene)
+}
+
+/**
+ * A wall over several tiles, and many triangles that are hardly in front of it or hardly behind it, in random order.
+ * Others are far from it, so that a rough order of all depths does not tell the near ones apart.
+ */
+internal fun closeToAWall(salt: Long): FrameCase {
+    val random = Random(salt)
+    val wall = 0.3f + 0.4f * random.nextFloat()
+    val triangles = List(CLOSE) {
+        val size = 5 + random.nextInt(20)
+        val x = random.nextInt(SIDE - size)
+        val y = random.nextInt(SIDE - size)
+        val z = wall + (1 + random.nextInt(8)) * LITTLE * if (random.nextBoolean()) 1 else -1
+        triangle(x, y, size, z)
+    }
+    val far = List(FAR) {
+        triangle(random.nextInt(SIDE - 8), random.nextInt(SIDE - 8), 8, if (random.nextBoolean()) 0.01f else 0.99f)
+    }
+    val edge = 4f * SIDE
+    val walls = listOf(listOf(-1f, -1f, wall, edge, -1f, wall, -1f, edge, wall))
+    return screenMesh(Raster(SIDE, SIDE), (triangles + far + walls).shuffled(random))
+}
+
+private fun triangle(x: Int, y: Int, size: Int, z: Float): List<Float> =
+    listOf(x, y, z, x + size, y, z, x, y + size, z).map { it.toFloat() }
+
+/**
+ * Wide triangles with an edge that goes exactly through the samples of the last column, or row, of tiles, which belong
+ * to the triangle only if the top-left rule says so. Wide triangles behind them are visible there.
+ */
+internal fun edgesAtTheEndsOfTiles(salt: Long): List<FrameCase> {
+    val random = Random(salt)
+    return List(EDGES) {
+        val end = 8 * (1 + random.nextInt(SIDE / 8 - 1)) - 1
+        // Half of them are at the ends of tiles of any usual size
+        val at = (if (random.nextBoolean()) end or 63 else end) + 0.5f
+        val isColumn = random.nextBoolean()
+        val isAfter = random.nextInt(4) == 0
+        val tip = if (isAfter) at + FAR_AWAY else at - FAR_AWAY
+        val middle = SIDE * random.nextFloat()
+        val near = random.nextFloat() / 2
+        val shape = listOf(at to middle - FAR_AWAY, at to middle + FAR_AWAY, tip to middle)
+        val front = shape.flatMap { (along, across) ->
+            if (isColumn) listOf(along, across, near) else listOf(across, along, near)
+        }
+        val behind = listOf(-1f, -1f, 0.75f, 4f * SIDE, -1f, 0.75f, -1f, 4f * SIDE, 0.75f)
+        screenMesh(Raster(SIDE, SIDE), listOf(front, behind).shuffled(random))
+    }
+}
+
+/** Shows every attribute of a fragment. */
+private object EveryAttribute : Shader {
+    override fun shade(fragment: Fragment) = with(fragment) {
+        setColor(u + normalX / 2 + worldX / 512, v + normalY / 2 + u2 / 4, vertexRed / 2 + v2 / 4 + tangentX / 2)
+    }
+}
+
+/** As [EveryAttribute], for many fragments. */
+private object EveryAttributeOfMany : BatchShader {
+    override fun shade(batch: FragmentBatch) = with(batch) {
+        for (i in 0 until size) {
+            red[i] = u[i] + normalX[i] / 2 + worldX[i] / 512
+            green[i] = v[i] + normalY[i] / 2 + u2[i] / 4
+            blue[i] = vertexRed[i] / 2 + v2[i] / 4 + tangentX[i] / 2
+        }
+    }
+}
+
+/** Meshes with different attributes, side by side and on top of each other, whose material has the same shader. */
+internal fun surfacesOfOneShader(salt: Long): FrameCase {
+    val random = Random(salt)
+    val shader = if (random.nextBoolean()) EveryAttribute else EveryAttributeOfMany
+    val builder = Scene.builder().viewpoint(Camera.screen())
+    repeat(SURFACES) { builder.add(someSurface(random, Material(shader = shader))) }
+    val scene = builder.build()
+    return FrameCase(scene.frame(SIDE, SIDE), "surfacesOfOneShader(${salt}L)", scene)
+}
+
+private fun someSurface(random: Random, material: Material): Mesh {
+    val size = if (random.nextBoolean()) 3 + random.nextInt(4) else 20 + random.nextInt(60)
+    val triangle = triangle(random.nextInt(SIDE - size), random.nextInt(SIDE - size), size, random.nextFloat())
+
+    fun some(count: Int): FloatArray? = if (random.nextBoolean()) FloatArray(count) { random.nextFloat() } else null
+    val uvs = some(6)
+    return Mesh(
+        triangle.toFloatArray(),
+        intArrayOf(0, 1, 2),
+        material,
+        normals = some(9),
+        uvs = uvs,
+        colors = some(12),
+        uvs2 = if (uvs == null) null else some(6),
+    )
+}
+
+private const val SIDE = 200
+private const val CLOSE = 150
+private const val FAR = 10
+private const val EDGES = 20
+private const val SURFACES = 40
+private const val FAR_AWAY = 4000f
+
+/** A few units of the depths. */
+private const val LITTLE = 1f / (1 shl 22)
