@@ -11,7 +11,7 @@ import kotlinx.coroutines.runInterruptible
 /**
  * A finished row of a picture. Its arrays belong to the reader, who may keep and change them.
  *
- * Any renderer makes such rows, see [RenderedRows]. [dev.lazyz.pipeline.Row] is a row of `LazyZBuffer` and
+ * Any renderer makes such rows, see [RenderedRows]. `Row` of the package `pipeline` is a row of `LazyZBuffer` and
  * `FlowPipeline` whose colours are not computed yet, and which refers to the frame.
  *
  * @property y the number of the row in the raster
