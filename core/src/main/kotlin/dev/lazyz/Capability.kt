@@ -36,7 +36,7 @@ public enum class Capability {
 }
 
 /**
- * How late shading gets the attributes of the next sample. All modes give the same colours, bit for bit (see
+ * How deferred shading steps attributes between samples. All modes give the same colours, bit for bit (see
  * [ShadingCursor]).
  */
 public enum class Coherence {

@@ -9,7 +9,8 @@ package dev.lazyz
  * @property fragments covered samples of the region, counted once for each primitive that covers them. Primitives that
  *   are rejected as hidden before their samples are determined are not counted
  * @property depthEvaluations depth computations, by a step or directly
- * @property depthPasses fragments that were the visible fragment of their sample at the time they were compared
+ * @property depthPasses fragments that passed the depth test when they were compared. A renderer that first
+ *   collects all fragments counts one for each sample
  * @property shadingCalls colour computations, by [Primitive.shade] or [ShadingCursor.shade]
  * @property shadingStarts shading calls that evaluated the attributes at the sample instead of stepping to it. Late
  *   shading only

@@ -62,7 +62,7 @@ public class Fragment {
     /**
      * How [u] changes from this sample to the next column, for filters of textures. Set if the material has a texture
      * with a `MipFilter`. If shading is once a pixel (`ShadingRate.PIXEL`), the step is to the next column of pixels,
-     * likewise for rows. Default 0.
+     * and that of [dudy] to the next row of pixels. Default 0.
      */
     @JvmField
     public var dudx: Float = 0f

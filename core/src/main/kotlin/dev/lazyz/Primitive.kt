@@ -1,3 +1,5 @@
+@file:JvmName("Primitives")
+
 package dev.lazyz
 
 /**

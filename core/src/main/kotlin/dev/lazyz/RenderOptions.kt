@@ -9,7 +9,7 @@ import java.util.concurrent.Executor
  * [threads] and [tileSize] are accepted by every renderer: one thread is not more than permitted, and a renderer
  * without tiles has none to size.
  *
- * @property coherence how late shading gets from sample to sample
+ * @property coherence how deferred shading steps attributes between samples
  * @property memoryBudget maximum working memory in bytes, in addition to the image; null for no limit
  * @property threads maximum number of threads, at least 1
  * @property tileSize width and height of tiles in samples, a power of two in 8..512; for renderers that have tiles
@@ -82,8 +82,11 @@ public class RenderOptions @JvmOverloads constructor(
     /** Returns these options with another way to step attributes. */
     public fun withCoherence(coherence: Coherence): RenderOptions = copy(coherence = coherence)
 
-    /** Returns these options with a budget of memory in bytes, at least 0, or without one. */
-    public fun withMemoryBudget(memoryBudget: Long?): RenderOptions = copy(memoryBudget = memoryBudget)
+    /** Returns these options with a budget of memory in bytes, at least 0. */
+    public fun withMemoryBudget(memoryBudget: Long): RenderOptions = copy(memoryBudget = memoryBudget)
+
+    /** Returns these options without a budget of memory. */
+    public fun withoutMemoryBudget(): RenderOptions = copy(memoryBudget = null)
 
     /** Returns these options with another number of threads, at least 1. */
     public fun withThreads(threads: Int): RenderOptions = copy(threads = threads)
@@ -97,8 +100,11 @@ public class RenderOptions @JvmOverloads constructor(
     /** Returns these options with an [executor] for the threads, or with the library's own threads. */
     public fun withExecutor(executor: Executor?): RenderOptions = copy(executor = executor)
 
-    /** Returns these options with another limit for the bands of a streamed frame, or with the default if null. */
-    public fun withBandBytes(bandBytes: Long?): RenderOptions = copy(bandBytes = bandBytes)
+    /** Returns these options with another limit for the bands of a streamed frame, in bytes, at least 0. */
+    public fun withBandBytes(bandBytes: Long): RenderOptions = copy(bandBytes = bandBytes)
+
+    /** Returns these options with the default limit for the bands of a streamed frame, a third of the heap. */
+    public fun withDefaultBandBytes(): RenderOptions = copy(bandBytes = null)
 
     private fun copy(
         coherence: Coherence = this.coherence,

@@ -11,6 +11,9 @@ import kotlinx.coroutines.runInterruptible
 /**
  * A finished row of a picture. Its arrays belong to the reader, who may keep and change them.
  *
+ * Any renderer makes such rows, see [RenderedRows]. `Row` of the package `pipeline` is a row of `LazyZBuffer` and
+ * `FlowPipeline` whose colours are not computed yet, and which refers to the frame.
+ *
  * @property y the number of the row in the raster
  * @property argb colours, 8-bit sRGB with straight alpha, `0xAARRGGBB`; element 0 is the first column of the region
  * @property depth depths, 0..2^31-1, see [Depth]
@@ -27,10 +30,20 @@ public class RenderedRow internal constructor(
 
 /**
  * The rows of a picture as an iterator, from the top, by any [Renderer]. The reader pulls them one by one, and the
- * rendering waits for it, so a picture can be larger than memory.
+ * rendering waits for it, so a picture can be larger than memory. In Kotlin:
  *
  * ```
  * RenderedRows.of(renderer, frame).use { rows -> for (row in rows) consume(row.argb) }
+ * ```
+ *
+ * In Java:
+ *
+ * ```java
+ * try (RenderedRows rows = RenderedRows.of(renderer, frame)) {
+ *     while (rows.hasNext()) {
+ *         consume(rows.next().getArgb());
+ *     }
+ * }
  * ```
  *
  * The rendering has a thread of its own, a daemon, which begins with the first call of [hasNext] or [next]. It is at
@@ -177,7 +190,7 @@ public class RenderedRows internal constructor(private val width: Int, private v
          * The collector's thread is blocked while it waits for a row: use [kotlinx.coroutines.flow.flowOn] with
          * [kotlinx.coroutines.Dispatchers.IO].
          */
-        @JvmStatic
+        @JvmSynthetic
         public fun flow(open: () -> RenderedRows): Flow<RenderedRow> = kotlinx.coroutines.flow.flow {
             open().use { rows -> while (runInterruptible { rows.awaitNext() }) emit(rows.next()) }
         }

@@ -35,8 +35,9 @@ public interface Renderer {
      *
      * @return the work that the rendering took
      * @throws IllegalArgumentException if the frame has translucent primitives and the renderer does not blend
-     * @throws InterruptedException if the calling thread is interrupted, and the renderer checks for it; built-in
-     *   renderers that blend do so at each row. Others finish the image, and the interrupt status stays set
+     * @throws InterruptedException if the calling thread is interrupted, and the renderer checks for it. Others finish
+     *   the image, and the interrupt status stays set. The table in `docs/guides/servlet.md` says which built-in
+     *   renderer checks how often
      * @throws IOException if the sink throws it
      */
     @Throws(InterruptedException::class, IOException::class)

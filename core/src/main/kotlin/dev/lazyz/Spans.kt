@@ -32,14 +32,17 @@ public class Spans @JvmOverloads constructor(
 
     /**
      * Appends the columns [from] until [until], clipped to [columnStart] until [columnEnd]. Adds nothing if the result
-     * is empty. A span that starts where the last one ends extends it. The caller must add spans from left to right,
-     * without overlap.
+     * is empty, also if [until] is less than [from]. A span that starts where the last one ends extends it.
+     *
+     * @throws IllegalArgumentException if the result starts before the end of the last span: spans are added from left
+     *   to right, without overlap
      */
     public fun add(from: Int, until: Int) {
         val start = maxOf(from, columnStart)
         val end = minOf(until, columnEnd)
         if (start >= end) return
-        if (count > 0 && start == bounds[2 * count - 1]) {
+        if (count > 0 && start <= bounds[2 * count - 1]) {
+            if (start < bounds[2 * count - 1]) throw disorder(start, end)
             bounds[2 * count - 1] = end
             return
         }
@@ -48,6 +51,11 @@ public class Spans @JvmOverloads constructor(
         bounds[2 * count + 1] = end
         count++
     }
+
+    private fun disorder(start: Int, end: Int) = IllegalArgumentException(
+        "spans must be added from left to right, without overlap: $start..<$end comes after " +
+            "${start(count - 1)}..<${end(count - 1)}",
+    )
 
     /** Removes all spans. */
     public fun clear() {

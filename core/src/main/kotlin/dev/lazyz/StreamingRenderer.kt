@@ -51,6 +51,7 @@ public interface Drawing {
  * Cancellable between primitives. If the flow throws an exception, rendering ends and the sink receives no rows. Throws
  * like [Drawing.add] and [Drawing.finish].
  */
+@JvmSynthetic
 public suspend fun StreamingRenderer.render(raster: Raster, primitives: Flow<Primitive>, sink: RowSink): Counters {
     val drawing = begin(raster)
     primitives.collect { drawing.add(it) }

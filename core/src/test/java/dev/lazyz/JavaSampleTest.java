@@ -1,6 +1,8 @@
 package dev.lazyz;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -9,6 +11,7 @@ import dev.lazyz.strategies.zbuffer.ZBuffer;
 import dev.lazyz.world.Camera;
 import dev.lazyz.world.FrameBuilder;
 import dev.lazyz.world.Scene;
+import dev.lazyz.world.material.AlphaMode;
 import dev.lazyz.world.material.Material;
 import dev.lazyz.world.surface.Mesh;
 import java.io.IOException;
@@ -31,6 +34,29 @@ class JavaSampleTest {
     void coloursOfAHue() {
         assertEquals(Rgba.ofRgb(0x00FF00), Rgba.hsv(120, 1, 1));
         assertEquals(Rgba.ofArgb(0x330000FF), Rgba.hsv(240, 1, 1, 0.2f));
+    }
+
+    /** It does not compile if an option takes an object of a number. */
+    @Test
+    void numbersOfOptionsAreLiterals() {
+        RenderOptions options = new RenderOptions().withMemoryBudget(1000).withBandBytes(2000);
+        assertEquals(1000, options.getMemoryBudget());
+        assertEquals(2000, options.getBandBytes());
+        RenderOptions free = options.withoutMemoryBudget().withDefaultBandBytes();
+        assertNull(free.getMemoryBudget());
+        assertNull(free.getBandBytes());
+    }
+
+    @Test
+    void aTranslucentPrimitiveIsMadeOpaque() {
+        Material glass = new Material(Rgba.WHITE.withAlpha(0.5f)).withAlphaMode(AlphaMode.BLEND);
+        Mesh mesh = new Mesh(new float[] {-1, -1, 0, 1, -1, 0, 0, 1, 0}, new int[] {0, 1, 2}, glass);
+        Primitive triangle = new Scene(List.of(mesh), List.of(), Camera.fit(0, 0))
+                .frame(32, 32)
+                .getPrimitives()
+                .get(0);
+        assertTrue(triangle.isTranslucent());
+        assertFalse(Primitives.asOpaque(triangle).isTranslucent());
     }
 
     @Test

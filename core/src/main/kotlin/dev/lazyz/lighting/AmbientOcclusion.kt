@@ -69,7 +69,7 @@ public class AmbientOcclusion private constructor(private val maps: List<Distanc
          * precision.
          */
         @JvmStatic
-        public fun problem(scene: Scene): String? = Occluders.problem(scene)
+        public fun obstacle(scene: Scene): String? = Occluders.obstacle(scene)
 
         /**
          * Computes the occlusion in [scene]. See the class for cost and memory.
@@ -77,7 +77,7 @@ public class AmbientOcclusion private constructor(private val maps: List<Distanc
          * @param directions number of directions on the whole sphere, 8..4096; fewer show edges of single shadows
          * @param size number of texels of a map's side, 16..4096
          * @param options [RenderOptions.threads] and [RenderOptions.executor] are used, the others are not
-         * @throws IllegalArgumentException if a number is out of range, or there is a [problem] with the scene
+         * @throws IllegalArgumentException if a number is out of range, or there is an [obstacle] in the scene
          */
         @JvmStatic
         @JvmOverloads

@@ -18,7 +18,7 @@ import org.joml.Vector3dc
 /**
  * The surfaces of a scene that hide light: opaque and masked ones; not translucent ones, [Points] and [Lines].
  *
- * @throws IllegalArgumentException if there is a [problem]
+ * @throws IllegalArgumentException if there is an [obstacle]
  */
 internal class Occluders(scene: Scene) {
     /** The box around the scene, world space. */
@@ -33,7 +33,7 @@ internal class Occluders(scene: Scene) {
     private val scene = scene.withSurfaces(scene.surfaces.filter(::hidesLight))
 
     init {
-        problem(scene)?.let { throw IllegalArgumentException(it) }
+        obstacle(scene)?.let { throw IllegalArgumentException(it) }
         box = checkNotNull(scene.bounds)
         val diagonal = Vector3d(box.maxX - box.minX, box.maxY - box.minY, box.maxZ - box.minZ)
         val center = box.center
@@ -60,7 +60,7 @@ internal class Occluders(scene: Scene) {
 
     companion object {
         /** Returns why [scene] cannot have shadows, or null if it can. */
-        fun problem(scene: Scene): String? {
+        fun obstacle(scene: Scene): String? {
             val box = scene.bounds ?: return "an empty scene has no shadows"
             if (scene.isOnScreen) return "a scene given on the screen has no shadows"
             val origin = scene.origin

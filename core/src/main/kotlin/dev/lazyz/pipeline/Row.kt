@@ -22,7 +22,8 @@ import java.io.IOException
  * once colours have been requested.
  *
  * Use [Renderer.render] for whole images. Use rows to stream an image, to stop early, or to read only some samples. Get
- * rows from `LazyZBuffer.rows` or `FlowPipeline.rows`.
+ * rows from `LazyZBuffer.rows` or `FlowPipeline.rows`. To pull finished rows from any renderer, as plain arrays, use
+ * [dev.lazyz.RenderedRows].
  *
  * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), section 2. There a cell is a pair
  * of a depth and an unevaluated colour. Here it is one visibility key: the primitive's index and the sample determine

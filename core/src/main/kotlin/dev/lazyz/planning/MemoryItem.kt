@@ -3,7 +3,7 @@ package dev.lazyz.planning
 /**
  * What a part of a rendering needs. Immutable.
  *
- * @property what the part, in words
+ * @property what description of the part
  * @property bytes most bytes of memory that it holds at a time
  * @throws IllegalArgumentException if [bytes] is negative
  */

@@ -145,7 +145,7 @@ public class RenderPlanner @JvmOverloads constructor(
             else -> listOf(MemoryItem("vertices of triangles", VERTEX_BYTES * vertices(frame)))
         }.filter { it.bytes > 0 }
         val whole = bytes(renderer, numbers, frame, options.memoryBudget)
-        var chosen = options.withBandBytes(null)
+        var chosen = options.withDefaultBandBytes()
         var need = whole
         val free = RenderPlan.usable(memory) - parts.sumOf { it.bytes }
         if (whole > free && options.memoryBudget == null && Capability.MEMORY_BUDGET in renderer.capabilities) {

@@ -14,8 +14,8 @@ public fun interface AmbientVisibility {
     /**
      * Returns the part of the light that reaches a point, 0..1.
      *
-     * @param x the point in world space, relative to [Scene.origin]; likewise [y] and [z]
-     * @param normalX the normal at the point, unit length, on the viewer's side; likewise [normalY] and [normalZ]
+     * @param x the point in world space, relative to [Scene.origin]; the same for [y] and [z]
+     * @param normalX the normal at the point, unit length, on the viewer's side; the same for [normalY] and [normalZ]
      */
     public fun at(x: Float, y: Float, z: Float, normalX: Float, normalY: Float, normalZ: Float): Float
 }

@@ -214,19 +214,20 @@ public class Camera private constructor(
          *
          * @param up approximate up direction of the image; if it is parallel to the line of sight, a coordinate axis is
          *   used instead
-         * @param verticalFieldOfView degrees, above 0 and below 180
+         * @param fieldOfViewDegrees vertical field of view, degrees, above 0 and below 180; `Math.toDegrees` converts
+         *   radians
          * @throws IllegalArgumentException if [eye] equals [target], a vector is not finite, [up] is zero,
-         *   [verticalFieldOfView] is out of range, or not 0 < [near] < [far]
+         *   [fieldOfViewDegrees] is out of range, or not 0 < [near] < [far]
          */
         @JvmStatic
         public fun perspective(
             eye: Vector3dc,
             target: Vector3dc,
             up: Vector3dc,
-            verticalFieldOfView: Double,
+            fieldOfViewDegrees: Double,
             near: Double,
             far: Double,
-        ): Camera = Camera(eye, target, up, Projection.Perspective(verticalFieldOfView), near, far)
+        ): Camera = Camera(eye, target, up, Projection.Perspective(fieldOfViewDegrees), near, far)
 
         /**
          * Returns an orthographic camera at [eye] that looks at [target]. The image is [height] world units high.

@@ -97,6 +97,32 @@ public class FittedViewpoint internal constructor(
         return Vector3d(StrictMath.sin(a) * sign, 0.0, StrictMath.cos(a) * sign)
     }
 
+    /** Returns this rule with another direction around the up axis, degrees. */
+    public fun withAzimuth(azimuth: Double): FittedViewpoint =
+        Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
+
+    /** Returns this rule with another direction above the horizon, degrees, -90..90. */
+    public fun withElevation(elevation: Double): FittedViewpoint =
+        Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
+
+    /** Returns this rule with another zoom, above 0. */
+    public fun withZoom(zoom: Double): FittedViewpoint =
+        Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
+
+    /** Returns this rule with another projection. */
+    public fun withKind(kind: Fit): FittedViewpoint = Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
+
+    /** Returns this rule with another margin, percent, 0 or more and below 50. */
+    public fun withMargin(margin: Double): FittedViewpoint =
+        Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
+
+    /**
+     * Returns this rule with another vertical field of view, degrees, above 0 and at most
+     * [Camera.MAX_FITTED_FIELD_OF_VIEW].
+     */
+    public fun withFieldOfView(fieldOfView: Double): FittedViewpoint =
+        Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
+
     override fun toString(): String = "FittedViewpoint(azimuth=$azimuth, elevation=$elevation, zoom=$zoom, $kind, " +
         "margin=$margin, fieldOfView=$fieldOfView)"
 }

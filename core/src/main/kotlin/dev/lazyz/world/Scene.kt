@@ -311,4 +311,5 @@ public class Scene private constructor(
 /**
  * Builds a scene in a block: `scene { add(mesh); background(Rgba.BLACK) }`.
  */
+@JvmSynthetic
 public fun scene(block: Scene.Builder.() -> Unit): Scene = Scene.builder().apply(block).build()

@@ -204,14 +204,14 @@ class AmbientOcclusionTest {
     fun scenesTooLargeForSinglePrecisionHaveNoShadows() {
         fun sphere(x: Double, radius: Double) = Scene(listOf(Sphere(Vector3d(x, 0.0, 0.0), radius, Material())))
         for (tooLarge in listOf(sphere(0.0, 1.01e38), sphere(0.9e38, 0.2e38), sphere(-1e60, 1e59))) {
-            val problem = checkNotNull(AmbientOcclusion.problem(tooLarge))
+            val problem = checkNotNull(AmbientOcclusion.obstacle(tooLarge))
             for (compute in listOf<(Scene) -> Any>({ AmbientOcclusion.of(it, 8, 16) }, { GroundShadow.of(it) })) {
                 val error = assertThrows(IllegalArgumentException::class.java) { compute(tooLarge) }
                 assertEquals(problem, error.message)
             }
         }
         val large = sphere(0.0, 1e38)
-        assertNull(AmbientOcclusion.problem(large))
+        assertNull(AmbientOcclusion.obstacle(large))
         assertTrue(AmbientOcclusion.of(large, 8, 16).at(0f, 1e38f, 0f, 0f, 1f, 0f) > 0.9f)
         val shadow = GroundShadow.of(large)
         for (kind in Fit.entries) {

@@ -19,6 +19,7 @@ import org.joml.Vector4d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.assertThrows
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 
 /** [FittedViewpoint]: the scene is in the middle of the image and touches the margin. */
@@ -137,6 +138,14 @@ class FittedViewpointTest {
                 assertEquals(2.0, distance, 1e-9) { "$viewpoint" }
             }
         }
+    }
+
+    @Test
+    fun propertiesAreChangedOneByOne() {
+        val changed = Camera.fit().withAzimuth(1.0).withElevation(2.0).withZoom(3.0).withKind(Fit.ORTHOGRAPHIC)
+            .withMargin(4.0).withFieldOfView(5.0)
+        assertEquals(Camera.fit(1.0, 2.0, 3.0, Fit.ORTHOGRAPHIC, 4.0, 5.0).toString(), changed.toString())
+        assertThrows<IllegalArgumentException> { changed.withElevation(91.0) }
     }
 
     @Test

@@ -89,4 +89,15 @@ class FrameBuilderTest {
         for (i in 0 until 3) spans.add(4 + 2 * i, 5 + 2 * i)
         assertEquals(3, spans.count)
     }
+
+    @Test
+    fun rule_2_3_spansAreAddedFromLeftToRight() {
+        val spans = Spans()
+        spans.add(4, 9)
+        val expected = "spans must be added from left to right, without overlap: 1..<3 comes after 4..<9"
+        assertEquals(expected, assertThrows(IllegalArgumentException::class.java) { spans.add(1, 3) }.message)
+        assertThrows(IllegalArgumentException::class.java) { spans.add(8, 12) }
+        spans.add(3, 1)
+        assertEquals("[4..<9]", spans.toString())
+    }
 }

@@ -59,8 +59,11 @@ public class LoadLimits @JvmOverloads constructor(
         require(time == null || !time.isNegative) { "time must not be negative: $time" }
     }
 
-    /** Returns these limits with another limit for bytes of decoded data, or with the default if null. */
-    public fun withDecodedBytes(decodedBytes: Long?): LoadLimits = copy(decodedBytes = decodedBytes)
+    /** Returns these limits with another limit for bytes of decoded data. */
+    public fun withDecodedBytes(decodedBytes: Long): LoadLimits = copy(decodedBytes = decodedBytes)
+
+    /** Returns these limits with the default limit for bytes of decoded data, see [defaultDecodedBytes]. */
+    public fun withDefaultDecodedBytes(): LoadLimits = copy(decodedBytes = null)
 
     /** Returns these limits with another limit for triangles. */
     public fun withTriangles(triangles: Long): LoadLimits = copy(triangles = triangles)
@@ -80,11 +83,17 @@ public class LoadLimits @JvmOverloads constructor(
     /** Returns these limits with another rule for the files that a model refers to. */
     public fun withReferences(references: ReferencePolicy): LoadLimits = copy(references = references)
 
-    /** Returns these limits with another amount of memory, or with that of Java if null. */
-    public fun withMemory(memory: Long?): LoadLimits = copy(memory = memory)
+    /** Returns these limits with another amount of memory, in bytes. */
+    public fun withMemory(memory: Long): LoadLimits = copy(memory = memory)
 
-    /** Returns these limits with another limit for temporary files, or without one if null. */
-    public fun withSpoolBytes(spoolBytes: Long?): LoadLimits = copy(spoolBytes = spoolBytes)
+    /** Returns these limits with the default amount of memory, the maximum Java heap size. */
+    public fun withDefaultMemory(): LoadLimits = copy(memory = null)
+
+    /** Returns these limits with another limit for temporary files, in bytes. */
+    public fun withSpoolBytes(spoolBytes: Long): LoadLimits = copy(spoolBytes = spoolBytes)
+
+    /** Returns these limits without a limit for temporary files. */
+    public fun withoutSpoolLimit(): LoadLimits = copy(spoolBytes = null)
 
     private fun copy(
         decodedBytes: Long? = this.decodedBytes,

@@ -22,5 +22,21 @@ public class LoadOptions @JvmOverloads constructor(
         }
     }
 
+    /** Returns these options with other limits. */
+    public fun withLimits(limits: LoadLimits): LoadOptions = LoadOptions(limits, animationTime, smoothNormals)
+
+    /** Returns these options with a time in the file's first animation, in seconds, 0 or more. */
+    public fun withAnimationTime(animationTime: Double): LoadOptions =
+        LoadOptions(limits, animationTime, smoothNormals)
+
+    /** Returns these options for a model at rest, without its animations. */
+    public fun withoutAnimationTime(): LoadOptions = LoadOptions(limits, null, smoothNormals)
+
+    /** Returns these options with smooth normals for meshes without normals in the file. */
+    public fun withSmoothNormals(): LoadOptions = LoadOptions(limits, animationTime, true)
+
+    /** Returns these options without smooth normals: each triangle has its own normal. */
+    public fun withoutSmoothNormals(): LoadOptions = LoadOptions(limits, animationTime, false)
+
     override fun toString(): String = "LoadOptions($limits, animationTime=$animationTime, smoothNormals=$smoothNormals)"
 }

@@ -59,10 +59,13 @@ public class PictureSettings private constructor(
     public fun withLight(light: LightRig?): PictureSettings = copy(light = light)
 
     /** @throws IllegalArgumentException if [intensity] is negative or not finite */
-    public fun withLightIntensity(intensity: Float?): PictureSettings {
-        require(intensity == null || intensity in 0f..Float.MAX_VALUE) { "intensity must be 0 or more: $intensity" }
+    public fun withLightIntensity(intensity: Float): PictureSettings {
+        require(intensity in 0f..Float.MAX_VALUE) { "intensity must be 0 or more: $intensity" }
         return copy(lightIntensity = intensity)
     }
+
+    /** Returns these settings with the default intensity of light, see [lightIntensity]. */
+    public fun withDefaultLightIntensity(): PictureSettings = copy(lightIntensity = null)
 
     public fun withBackground(background: Rgba?): PictureSettings = copy(background = background)
 

@@ -2,7 +2,7 @@ package dev.lazyz.scenes
 
 /**
  * Reports a file that cannot be read or understood. Every reader of this module throws only this exception for bad
- * input.
+ * input. If the bytes could not be read at all, it is a [SceneReadException].
  *
  * The message is complete and addressed to the user of the file: where the problem is, what is wrong, what to do. It
  * is safe to print on a terminal: it has no control characters, and words from the file are cut after 400 characters.
@@ -14,7 +14,7 @@ package dev.lazyz.scenes
  * @property problem what is wrong, without a full stop
  * @property remedy what to do about it, or null if the only remedy is another file
  */
-public class SceneFormatException @JvmOverloads constructor(
+public open class SceneFormatException @JvmOverloads constructor(
     public val source: String,
     public val location: String?,
     public val problem: String,
@@ -31,3 +31,17 @@ public class SceneFormatException @JvmOverloads constructor(
     ),
     cause,
 )
+
+/**
+ * Reports a file or a stream that cannot be read, whatever is in it: the file is missing, a folder or a device, may not
+ * be read, has become shorter, or the disk, the stream or a temporary file fails.
+ *
+ * A server can tell its own faults from those of its clients by this class. The message names the file: it is for the
+ * log, if the client has not chosen the name.
+ */
+public class SceneReadException @JvmOverloads constructor(
+    source: String,
+    problem: String,
+    remedy: String? = null,
+    cause: Throwable? = null,
+) : SceneFormatException(source, null, problem, remedy, cause)

@@ -13,6 +13,9 @@ import java.nio.file.Path
 /**
  * Loads scenes from files and streams in all supported formats, and creates the built-in scenes.
  *
+ * A file that cannot be read at all, for example because it is missing, is a [SceneReadException]; other
+ * [SceneFormatException]s are about what is in it.
+ *
  * Thread safe. If the calling thread is interrupted, reading ends at its next step with a [SceneFormatException], and
  * the interrupt status stays set. To write a scene see [dev.lazyz.scenes.scenefile.SceneFile], to write an image
  * [dev.lazyz.scenes.writers.writePng].

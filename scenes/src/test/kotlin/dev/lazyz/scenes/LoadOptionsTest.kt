@@ -22,6 +22,14 @@ class LoadOptionsTest {
     }
 
     @Test
+    fun propertiesAreChangedOneByOne() {
+        val limits = LoadLimits(triangles = 3)
+        val changed = LoadOptions().withLimits(limits).withAnimationTime(0.5).withoutSmoothNormals()
+        assertEquals(LoadOptions(limits, 0.5, false).toString(), changed.toString())
+        assertEquals(LoadOptions(limits).toString(), changed.withoutAnimationTime().withSmoothNormals().toString())
+    }
+
+    @Test
     fun formatsWithoutAnimationsWarn(@TempDir folder: Path) {
         val path = Files.writeString(folder.resolve("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         val options = LoadOptions(animationTime = 1.0)

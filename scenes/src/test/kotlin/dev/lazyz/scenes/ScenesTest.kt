@@ -1,17 +1,20 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.scenes.formats.FormatSniffer
+import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.world.surface.Mesh
 import java.io.IOException
 import java.io.InputStream
 import java.nio.file.Files
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.assertThrows
 import org.junit.jupiter.api.io.TempDir
 
 class ScenesTest {
@@ -62,6 +65,21 @@ class ScenesTest {
     }
 
     @Test
+    fun filesThatCannotBeReadAreToldFromDamagedOnes() {
+        for (path in listOf(folder.resolve("no.obj"), folder)) {
+            assertThrows<SceneReadException> { Scenes.load(path) }
+            assertThrows<SceneReadException> { Scenes.stream(path) }
+            assertThrows<SceneReadException> { Scenes.texture(path) }
+            assertThrows<SceneReadException> { Picture.read(path) }
+        }
+        val damaged = listOf(file("empty.obj", ""), file("odd.obj", "f 1 2 9\n"), file("a.json", sceneWith("b.obj")))
+        for (path in damaged) {
+            val thrown = assertThrows<SceneFormatException> { Scenes.load(path) }
+            assertFalse(thrown is SceneReadException, thrown.message)
+        }
+    }
+
+    @Test
     fun aSceneFileNamesItsMeshesRelativeToItself() {
         val inner = Files.createDirectory(folder.resolve("inner"))
         val missing = Files.writeString(inner.resolve("a.json"), sceneWith("b.obj"))
@@ -96,7 +114,7 @@ class ScenesTest {
         val broken = object : InputStream() {
             override fun read(): Int = throw IOException("unplugged")
         }
-        val error = assertThrows(SceneFormatException::class.java) { Scenes.load(broken, SceneFormat.OBJ, "pipe") }
+        val error = assertThrows<SceneReadException> { Scenes.load(broken, SceneFormat.OBJ, "pipe") }
         assertEquals("pipe: cannot be read: unplugged", error.message)
         val empty = assertThrows(SceneFormatException::class.java) {
             Scenes.load(InputStream.nullInputStream(), SceneFormat.STL)

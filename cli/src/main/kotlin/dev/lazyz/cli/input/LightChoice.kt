@@ -95,7 +95,7 @@ internal class LightChoice(
         if (scene.isOnScreen) {
             throw Mistake("a scene given on the screen has no --ambient-occlusion and no --ground-shadow")
         }
-        AmbientOcclusion.problem(scene)?.let { throw Mistake("$name: $it, or leave out its shadows") }
+        AmbientOcclusion.obstacle(scene)?.let { throw Mistake("$name: $it, or leave out its shadows") }
         streams.progress("computing shadows ...")
         val soft = if (hasOcclusion && matcap == null) occluded(scene, options) else scene
         if (!hasGroundShadow) return soft

@@ -44,12 +44,14 @@ internal fun subject(
     memory: Long? = null,
 ): Subject {
     val style = picture.style
+    val ownLimits = limits.limits()
+    val loadLimits = if (memory == null) ownLimits else ownLimits.withMemory(memory)
     val lightChoice = light.choice(picture)
     val usualRate = if (lightChoice.hasOcclusion && !isSelected) ShadingRate.PIXEL else ShadingRate.SAMPLE
     return Subject(
         input = input,
         format = reading.format,
-        loading = LoadOptions(limits.limits().withMemory(memory), reading.animationTime),
+        loading = LoadOptions(loadLimits, reading.animationTime),
         up = reading.up,
         size = picture.size ?: usualSize,
         region = picture.region,

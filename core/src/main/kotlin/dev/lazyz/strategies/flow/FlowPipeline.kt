@@ -71,6 +71,7 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
      * Renders [frame] and passes every row to [sink] in the caller's context, as [render] does, for coroutines. If the
      * coroutine is cancelled, the sink receives no further rows.
      */
+    @JvmSynthetic
     public suspend fun renderSuspending(frame: Frame, sink: RowSink): Counters = rows(frame).deliver(sink)
 
     /**

@@ -54,7 +54,8 @@ public enum class Sides {
  * based ones. Maps vary either over the surface: see [withNormalMap], [withOcclusionMap] and [withEmissionMap].
  * Immutable and thread safe; any number of surfaces can share a material.
  *
- * @property baseColor diffuse colour and opacity, linear light; for metals, the colour of what they reflect
+ * @property baseColor diffuse colour and opacity, linear light; for metals, the colour of what they reflect. The
+ *   opacity has an effect only with [AlphaMode.BLEND] or [AlphaMode.MASK], not with the default, [AlphaMode.OPAQUE]
  * @property shading where light is evaluated; ignored if [shader] is given. With [metallicRoughness], it is at every
  *   shaded sample, unless this is [Shading.CONSTANT]
  * @property specular colour of highlights, linear light; not used with [metallicRoughness]
@@ -91,7 +92,8 @@ public class Material private constructor(
 ) {
     /**
      * Creates a material without maps, except for a [texture]; see the properties. The functions `with...` set the
-     * others.
+     * others. It is opaque, whatever the alpha of [baseColor], unless [alphaMode] says something else:
+     * `Material(color).withAlphaMode(AlphaMode.BLEND)` shows what is behind it.
      *
      * @param texture multiplies the base colour; null for none
      * @throws IllegalArgumentException if [shininess] or [alphaCutoff] is out of range
@@ -154,7 +156,7 @@ public class Material private constructor(
     /** Whether textures are read with the derivatives of their coordinates. */
     internal val usesFootprint: Boolean get() = maps.any { it.texture.mipFilter != MipFilter.NONE }
 
-    /** Returns this material with another [baseColor]. */
+    /** Returns this material with another [baseColor], whose alpha counts as [alphaMode] says. */
     public fun withBaseColor(baseColor: Rgba): Material = copy(baseColor = baseColor)
 
     /** Returns this material with another [texture], or without one. */

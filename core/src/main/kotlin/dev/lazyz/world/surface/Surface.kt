@@ -11,7 +11,8 @@ import org.joml.Vector3dc
 /**
  * A visible object in world space: a [Mesh], a [Polygon], a [Sphere], [Points], [Lines], or a custom surface.
  *
- * A custom surface converts its shape to primitives with the functions of [SetUp], or returns custom [Primitive]s.
+ * A custom surface converts its shape to primitives with the functions of [SetUp], or returns custom [Primitive]s. In
+ * Java, [primitives] can return `list::iterator` for a list of them.
  * Implementations must be immutable and thread safe.
  */
 public interface Surface {

@@ -62,7 +62,7 @@ internal class CityScene(private val blocks: Int, seed: Long) {
         eye = Vector3d(1.4, 5.5, 16.0),
         target = Vector3d(0.4, 11.5, -40.0),
         up = Vector3d(0.0, 1.0, 0.0),
-        verticalFieldOfView = 55.0,
+        fieldOfViewDegrees = 55.0,
         near = 1.0,
         far = 60.0 + 2 * blocks * PITCH,
     )

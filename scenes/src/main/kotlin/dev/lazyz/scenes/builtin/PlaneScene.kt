@@ -37,7 +37,7 @@ internal object PlaneScene {
             eye = Vector3d(0.6, 2.3, 8.5),
             target = Vector3d(0.3, 1.15, 0.0),
             up = Vector3d(0.0, 1.0, 0.0),
-            verticalFieldOfView = 42.0,
+            fieldOfViewDegrees = 42.0,
             near = 0.5,
             far = 700.0,
         ),

@@ -5,6 +5,7 @@ import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.scenes.gltf.GltfParser
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Loading
@@ -111,18 +112,18 @@ internal object SceneReading {
 
     /** Fails unless [path] is a regular file. */
     fun requireFile(path: Path, name: String) {
-        if (!Files.exists(path)) throw SceneFormatException(name, null, "there is no such file", "check the name")
-        if (Files.isDirectory(path)) throw SceneFormatException(name, null, "is a folder", "name a file in it")
+        if (!Files.exists(path)) throw SceneReadException(name, "there is no such file", "check the name")
+        if (Files.isDirectory(path)) throw SceneReadException(name, "is a folder", "name a file in it")
         if (!Files.isRegularFile(path)) {
-            throw SceneFormatException(name, null, "is a pipe or a device, not a file", "send its bytes as a stream")
+            throw SceneReadException(name, "is a pipe or a device, not a file", "send its bytes as a stream")
         }
     }
 
     /** Returns the exception for a file that cannot be read. */
-    fun unreadable(name: String, e: IOException): SceneFormatException = if (e is AccessDeniedException) {
-        SceneFormatException(name, null, "cannot be read: permission denied", "ask for permission", e)
+    fun unreadable(name: String, e: IOException): SceneReadException = if (e is AccessDeniedException) {
+        SceneReadException(name, "cannot be read: permission denied", "ask for permission", e)
     } else {
-        SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
+        SceneReadException(name, "cannot be read: ${e.message ?: e}", cause = e)
     }
 
     /**

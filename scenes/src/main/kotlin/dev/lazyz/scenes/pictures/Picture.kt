@@ -2,6 +2,7 @@ package dev.lazyz.scenes.pictures
 
 import dev.lazyz.Image
 import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.scenes.images.ImageDecoder
 import dev.lazyz.scenes.images.Texels
 import java.io.IOException
@@ -77,17 +78,18 @@ public class Picture private constructor(public val width: Int, public val heigh
          * Reads an image file: PNG, binary PPM, TIFF, BMP, GIF, WBMP, or JPEG, whose pixels can differ between JDKs. Of
          * several images in a file, it reads the first.
          *
-         * @throws SceneFormatException if the file is missing, unreadable, or no image
+         * @throws SceneReadException if the file is missing or unreadable
+         * @throws SceneFormatException if it is no image
          */
         @JvmStatic
         public fun read(path: Path): Picture {
             val bytes = try {
                 Files.readAllBytes(path)
             } catch (missing: NoSuchFileException) {
-                throw SceneFormatException("$path", null, "there is no such file", cause = missing)
+                throw SceneReadException("$path", "there is no such file", cause = missing)
             } catch (failure: IOException) {
                 val reason = if (Files.isDirectory(path)) "it is a folder" else "it cannot be read"
-                throw SceneFormatException("$path", null, reason, "name an image file", failure)
+                throw SceneReadException("$path", reason, "name an image file", failure)
             }
             return decode(bytes, "$path")
         }

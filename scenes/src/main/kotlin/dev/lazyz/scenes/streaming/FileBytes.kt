@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.streaming
 
-import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneReadException
 import java.io.EOFException
 import java.io.IOException
 import java.io.RandomAccessFile
@@ -21,7 +21,7 @@ internal class FileBytes(path: Path, private val name: String) : AutoCloseable {
     /**
      * Returns [count] bytes from [position] on, little endian.
      *
-     * @throws SceneFormatException if the file cannot be read, or has become shorter
+     * @throws SceneReadException if the file cannot be read, or has become shorter
      */
     fun read(position: Long, count: Int): ByteBuffer {
         val bytes = ByteArray(count)
@@ -31,9 +31,9 @@ internal class FileBytes(path: Path, private val name: String) : AutoCloseable {
                 file.readFully(bytes)
             }
         } catch (e: EOFException) {
-            throw SceneFormatException(name, null, "has become shorter while it was read", "render it again", e)
+            throw SceneReadException(name, "has become shorter while it was read", "render it again", e)
         } catch (e: IOException) {
-            throw SceneFormatException(name, null, "cannot be read: ${e.message ?: e}", cause = e)
+            throw SceneReadException(name, "cannot be read: ${e.message ?: e}", cause = e)
         }
         return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
     }

@@ -6,6 +6,7 @@ import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.StreamedScene
 import dev.lazyz.strategies.hybrid.Hybrid
@@ -241,7 +242,7 @@ class StreamedSceneTest {
         file.writeBytes(binary(terrain(50)))
         stream().use { streamed ->
             file.outputStream().use { it.write(1) }
-            val refused = assertThrows(SceneFormatException::class.java) { hashes(streamed.loaded, listOf(Tiled())) }
+            val refused = assertThrows(SceneReadException::class.java) { hashes(streamed.loaded, listOf(Tiled())) }
             assertTrue("has become shorter" in refused.message!!, refused.message)
         }
     }

@@ -63,10 +63,11 @@ internal class PictureRequest(val format: SceneFormat?, val settings: PictureSet
                 .withViewpoint(viewpoint)
                 .withUp(named(given, Parameter.UP, axes))
                 .withLight(named(given, Parameter.LIGHT, lights))
-                .withLightIntensity(number(given, Parameter.LIGHT_INTENSITY, 0.0..1000.0)?.toFloat())
                 .withBackground(given[Parameter.BACKGROUND]?.let(::color))
                 .withSampling(if (obstacle == null) sampling else SuperSampling.NONE)
-            return PictureRequest(named(given, Parameter.FORMAT, formats), settings)
+            val intensity = number(given, Parameter.LIGHT_INTENSITY, 0.0..1000.0)?.toFloat()
+            val lit = if (intensity == null) settings else settings.withLightIntensity(intensity)
+            return PictureRequest(named(given, Parameter.FORMAT, formats), lit)
         }
 
         private fun <T : Any> named(given: Map<Parameter, String>, parameter: Parameter, values: Map<String, T>): T? {

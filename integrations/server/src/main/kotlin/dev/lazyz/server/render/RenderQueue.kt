@@ -1,6 +1,7 @@
 package dev.lazyz.server.render
 
 import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneReadException
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -172,6 +173,9 @@ internal class RenderQueue(private val threads: Int, private val capacity: Int, 
         throw more
     } catch (problem: Problem) {
         RenderJob.Outcome(null, problem)
+    } catch (unreadable: SceneReadException) {
+        // Its message can name a path of the server, which is for the log
+        RenderJob.Outcome(null, Problem(Problem.BUG, "the server cannot read a file"), unreadable)
     } catch (invalid: SceneFormatException) {
         RenderJob.Outcome(null, Problem(Problem.UNPROCESSABLE, invalid.message.orEmpty()))
     } catch (_: InterruptedException) {

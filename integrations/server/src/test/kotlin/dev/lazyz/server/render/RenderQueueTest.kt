@@ -1,5 +1,7 @@
 package dev.lazyz.server.render
 
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneReadException
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
@@ -113,6 +115,19 @@ class RenderQueueTest {
         queue.offer(job("memory", 1) { throw OutOfMemoryError() })
         assertEquals(Problem.UNAVAILABLE, take(ended).problem?.status)
         assertEquals(0, queue.taken)
+    }
+
+    @Test
+    fun aDamagedModelIsTheClientsFaultAndAFailingDiskIsNot() {
+        queue.offer(job("damaged", 1) { throw SceneFormatException("model", "line 3", "is damaged") })
+        val damaged = checkNotNull(take(ended).problem)
+        assertEquals(Problem.UNPROCESSABLE, damaged.status)
+        assertEquals("model, line 3: is damaged", damaged.message)
+        queue.offer(job("disk", 1) { throw SceneReadException("/srv/models/a.obj", "cannot be read: disk failure") })
+        val outcome = take(ended)
+        assertEquals(Problem.BUG, outcome.problem?.status)
+        assertFalse("/srv" in outcome.problem?.message.orEmpty(), outcome.problem?.message)
+        assertTrue(outcome.bug is SceneReadException)
     }
 
     private fun <T : Any> take(from: LinkedBlockingQueue<T>): T =

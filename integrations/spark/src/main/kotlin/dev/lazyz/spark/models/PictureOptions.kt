@@ -61,13 +61,14 @@ public class PictureOptions(public val words: String) : Serializable {
 
     internal fun settings(): PictureSettings {
         val size = size()
-        return PictureSettings(size.width, size.height)
+        val settings = PictureSettings(size.width, size.height)
             .withViewpoint(if (given.keys.none { it in VIEWS }) null else viewpoint())
             .withUp(named("up", UpAxis.entries) { it.id })
             .withLight(named("light", LightRig.entries, ::word))
-            .withLightIntensity(number("light-intensity", 0.0..1000.0)?.toFloat())
             .withBackground(given["background"]?.let { color(it) })
             .withSampling(named("aa", listOf(1, 2, 4, 8)) { "$it" }?.let { SuperSampling(it) })
+        val intensity = number("light-intensity", 0.0..1000.0) ?: return settings
+        return settings.withLightIntensity(intensity.toFloat())
     }
 
     private fun size(): ImageSize {

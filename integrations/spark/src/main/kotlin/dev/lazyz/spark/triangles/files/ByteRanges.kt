@@ -1,6 +1,6 @@
 package dev.lazyz.spark.triangles.files
 
-import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneReadException
 import java.io.IOException
 import java.io.Serializable
 import java.nio.ByteBuffer
@@ -23,7 +23,7 @@ internal class SharedFile(val path: String, private val hadoop: SerializableConf
     private fun <T> reading(work: () -> T): T = try {
         work()
     } catch (e: IOException) {
-        throw SceneFormatException(path, null, "cannot be read: ${e.message ?: e}", "check the path", e)
+        throw SceneReadException(path, "cannot be read: ${e.message ?: e}", "check the path", e)
     }
 
     /** Number of bytes. */

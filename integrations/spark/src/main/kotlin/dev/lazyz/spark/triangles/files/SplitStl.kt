@@ -1,6 +1,7 @@
 package dev.lazyz.spark.triangles.files
 
 import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneReadException
 import java.nio.ByteOrder
 import org.apache.spark.sql.Row
 import org.apache.spark.sql.RowFactory
@@ -40,7 +41,7 @@ internal class StlFacets(private val file: SharedFile) : RecordReader {
     override fun rows(range: ByteRange): Iterator<Row> {
         val bytes = file.read(range.start, range.count * SplitStl.FACET, ByteOrder.LITTLE_ENDIAN)
         if (bytes.limit() < range.count * SplitStl.FACET) {
-            throw SceneFormatException(file.path, "byte ${range.start}", "has become shorter while it was read")
+            throw SceneReadException(file.path, "has become shorter while it was read", "read it again")
         }
         return (0 until range.count).asSequence().map { number ->
             val at = number * SplitStl.FACET
