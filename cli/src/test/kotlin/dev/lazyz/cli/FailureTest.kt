@@ -4,6 +4,7 @@ import dev.lazyz.cli.output.Version
 import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.OutputStream
+import java.io.BufferedOutputStream
 import java.nio.file.Path
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
@@ -101,6 +102,22 @@ class FailureTest {
             val (code, errors) = zcliWriting(disk, "", *words)
             assertEquals(2, code)
             assertEquals("zcli: error: cannot write to standard output: No space left on device\n", errors)
+        }
+    }
+
+    /** Exit code 1 would mean that pictures differ. */
+    @Test
+    fun aFullDiskIsAnErrorForAnswersToo() {
+        val pictures = listOf("white", "red").map { color ->
+            folder.resolve("$color.png").also { zcli("render", folder.wedge(), "-o", it, "--color", color, "--size", 8) }
+        }
+        val diff = listOf("diff") + pictures
+        for (words in listOf(diff, diff + "--json", listOf("--help"), listOf("--version"), listOf("render", "--help"))) {
+            // What a process writes is buffered, and fails when it is flushed
+            val disk = BufferedOutputStream(Breaking(0, "No space left on device"), 1 shl 20)
+            val (code, errors) = zcliWriting(disk, "", *words.toTypedArray())
+            assertEquals("zcli: error: cannot write to standard output: No space left on device\n", errors, "$words")
+            assertEquals(2, code, "$words")
         }
     }
 

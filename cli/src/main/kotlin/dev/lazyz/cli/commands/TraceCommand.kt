@@ -49,7 +49,7 @@ internal class TraceCommand(private val streams: Streams) : Command("trace") {
         "Makes a film of the order in which a strategy shades a picture.\n\nEach step shows some more shading calls: " +
             "pixels get their colours, and calls whose colour does not become part of the picture are pink. Two " +
             "strategies are shown side by side, with equally many calls at each step. Prints the numbers of calls. " +
-            "A sample is a pixel."
+            "Only with one sample per pixel (--aa 1)."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli trace teapot --strategy lazy -o order.gif" to "the order of one strategy",
