@@ -76,10 +76,17 @@ class LinesAndSectionsTest {
     @Test
     fun aPlaneThatRemovesNothingCausesAWarning() {
         fun errors(vararg cuts: String): String {
-            val run = zcli("render", flange, "-o", "-", "--size", "40x30", *cuts.flatMap { listOf("--cut", it) }.toTypedArray())
+            val run =
+                zcli(
+                    "render", flange, "-o", "-", "--size", "40x30",
+                    *cuts.flatMap {
+                        listOf("--cut", it)
+                    }.toTypedArray()
+                )
             return run.errors.also { assertEquals(0, run.code, it) }
         }
-        val whole = arrayOf("render", flange, "-o", "-", "--size", "60x50", "--aa", "1", "--cut", "x=100%", "--cut=-y=0%")
+        val whole =
+            arrayOf("render", flange, "-o", "-", "--size", "60x50", "--aa", "1", "--cut", "x=100%", "--cut=-y=0%")
         assertEquals(picture(), zcli(*whole).image.argb())
         for (cut in listOf("x=150%", "-y=-1%", "Z=100%", "1,1,0,1000")) {
             assertEquals("zcli: warning: --cut $cut removes nothing: the input is on the other side\n", errors(cut))
