@@ -1,10 +1,10 @@
 package dev.lazyz.cli
 
 import dev.lazyz.cli.output.Version
+import java.io.BufferedOutputStream
 import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.OutputStream
-import java.io.BufferedOutputStream
 import java.nio.file.Path
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
@@ -109,10 +109,13 @@ class FailureTest {
     @Test
     fun aFullDiskIsAnErrorForAnswersToo() {
         val pictures = listOf("white", "red").map { color ->
-            folder.resolve("$color.png").also { zcli("render", folder.wedge(), "-o", it, "--color", color, "--size", 8) }
+            folder.resolve("$color.png").also {
+                zcli("render", folder.wedge(), "-o", it, "--color", color, "--size", 8)
+            }
         }
         val diff = listOf("diff") + pictures
-        for (words in listOf(diff, diff + "--json", listOf("--help"), listOf("--version"), listOf("render", "--help"))) {
+        val answers = listOf(listOf("--help"), listOf("--version"), listOf("render", "--help"))
+        for (words in listOf(diff, diff + "--json") + answers) {
             // What a process writes is buffered, and fails when it is flushed
             val disk = BufferedOutputStream(Breaking(0, "No space left on device"), 1 shl 20)
             val (code, errors) = zcliWriting(disk, "", *words.toTypedArray())

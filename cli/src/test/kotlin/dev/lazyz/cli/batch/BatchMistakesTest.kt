@@ -56,12 +56,12 @@ class BatchMistakesTest {
     @Test
     fun theFormOfStatisticsIsNotAnInput() {
         for (form in listOf("json", "table", "JSON")) {
-            val message = "'$form' is taken as INPUT, and there is no such file; did you mean '--stats=${form.lowercase()}'?"
+            val hint = "did you mean '--stats=${form.lowercase()}'?"
+            val message = "'$form' is taken as INPUT, and there is no such file; $hint"
             render("teapot", "--stats", form, "-o", "$out/a.png").mistake(message)
             render("teapot", "-o", "$out/{stem}.png", "--stats", form).mistake(message)
         }
         assertFalse(out.exists())
-        folder.wedge("json")
     }
 
     /** A missing input is the more likely mistake. */

@@ -80,7 +80,8 @@ class ConformanceTest {
 
         // The command shows the same failure
         val again = judge(*command.split(" ").drop(2).toTypedArray())
-        fun failure(text: String) = text.substringAfter("FAILED").substringBefore("reproduce").substringBefore("scene file")
+        fun failure(text: String) =
+            text.substringAfter("FAILED").substringBefore("reproduce").substringBefore("scene file")
         assertEquals(failure(run.text), failure(again.text))
     }
 

@@ -113,7 +113,8 @@ class RenderMistakesTest {
         zcli("render", "teapot", "--format", "obj", *out)
             .mistake("teapot: no such file; with --format, INPUT is always a file")
         for (option in listOf("--ref", "--texture", "--matcap")) {
-            zcli("render", "teapot", option, "-", *out).mistake(option, "'-', standard input or output, is not possible")
+            zcli("render", "teapot", option, "-", *out)
+                .mistake(option, "'-', standard input or output, is not possible here")
         }
         zcli("render", folder, *out).mistake("has no models or scene files")
         folder.wedge()
