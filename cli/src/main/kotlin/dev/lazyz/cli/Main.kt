@@ -43,11 +43,7 @@ internal fun run(args: Array<String>, streams: Streams): Int = try {
 
 private fun attempt(args: Array<String>, streams: Streams): Int {
     try {
-        Zcli(streams, args.asList()).parse(args.asList())
-        streams.output.flush()
-        return ExitCode.DONE
-    } catch (request: CliktError) {
-        return answer(request, streams)
+        return outcome(args, streams)
     } catch (closed: OutputClosed) {
         throw closed
     } catch (failure: Throwable) {
@@ -60,6 +56,15 @@ private fun attempt(args: Array<String>, streams: Streams): Int {
         ClassArchive.discard()
         return ExitCode.BUG
     }
+}
+
+/** Runs the command. What it prints to standard output is written completely when this function returns. */
+private fun outcome(args: Array<String>, streams: Streams): Int = try {
+    Zcli(streams, args.asList()).parse(args.asList())
+    streams.output.flush()
+    ExitCode.DONE
+} catch (request: CliktError) {
+    answer(request, streams)
 }
 
 /** Handles Clikt's exceptions: help and version go to standard output, usage errors to standard error. */

@@ -1,6 +1,7 @@
 package dev.lazyz.cli
 
 import dev.lazyz.cli.output.Version
+import java.io.BufferedOutputStream
 import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.OutputStream
@@ -101,6 +102,25 @@ class FailureTest {
             val (code, errors) = zcliWriting(disk, "", *words)
             assertEquals(2, code)
             assertEquals("zcli: error: cannot write to standard output: No space left on device\n", errors)
+        }
+    }
+
+    /** Exit code 1 would mean that pictures differ. */
+    @Test
+    fun aFullDiskIsAnErrorForAnswersToo() {
+        val pictures = listOf("white", "red").map { color ->
+            folder.resolve("$color.png").also {
+                zcli("render", folder.wedge(), "-o", it, "--color", color, "--size", 8)
+            }
+        }
+        val diff = listOf("diff") + pictures
+        val answers = listOf(listOf("--help"), listOf("--version"), listOf("render", "--help"))
+        for (words in listOf(diff, diff + "--json") + answers) {
+            // What a process writes is buffered, and fails when it is flushed
+            val disk = BufferedOutputStream(Breaking(0, "No space left on device"), 1 shl 20)
+            val (code, errors) = zcliWriting(disk, "", *words.toTypedArray())
+            assertEquals("zcli: error: cannot write to standard output: No space left on device\n", errors, "$words")
+            assertEquals(2, code, "$words")
         }
     }
 

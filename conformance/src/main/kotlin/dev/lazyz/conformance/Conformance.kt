@@ -175,7 +175,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
         )
         val results = run.execute()
         val milliseconds = (System.nanoTime() - start) / NANOSECONDS
-        val report = settings.report(judged, command, results, milliseconds)
+        val report = settings.report(judged, command, results, milliseconds, isOnDisk = output != null)
         output?.let { report.writeTo(it) }
         return report
     }
@@ -193,7 +193,16 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
         }
     }
 
-    private companion object {
-        const val NANOSECONDS = 1_000_000L
+    public companion object {
+        private const val NANOSECONDS = 1_000_000L
+
+        /**
+         * Returns how many files in [folder] are frames for [frames]: scene files and meshes; 0 if there is no such
+         * folder.
+         *
+         * @throws FramesException if the folder cannot be read
+         */
+        @JvmStatic
+        public fun ownFrames(folder: Path): Int = OwnFrames.files(folder).size
     }
 }

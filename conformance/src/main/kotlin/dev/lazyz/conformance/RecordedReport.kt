@@ -6,6 +6,7 @@ import dev.lazyz.conformance.report.ReportJson
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.Waiver
 import dev.lazyz.conformance.results.Waivers
+import dev.lazyz.conformance.results.reason
 import dev.lazyz.conformance.rules.ConformanceVersions
 import java.io.IOException
 import java.nio.file.Files
@@ -64,7 +65,7 @@ public class RecordedReport private constructor(
             val text = try {
                 Files.readString(path)
             } catch (e: IOException) {
-                throw RecordedReportException("the report $path cannot be read: $e", e)
+                throw RecordedReportException("the report $path cannot be read: ${reason(e)}", e)
             }
             return try {
                 of(Json.parseToJsonElement(text).jsonObject, path)

@@ -6,7 +6,6 @@ import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.Progress
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.printable
@@ -55,7 +54,6 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
 
         // Write the sheet, also if some of its pictures are missing
         if (sheet != null && !sheet.isEmpty) {
-            OutputFile.createFolder(plan.sheet)
             sheet.write(plan.sheet)
             streams.remark("wrote ${plan.sheet}, ${sheet.width}x${sheet.height}")
         }

@@ -164,7 +164,11 @@ internal class BatchPlan(private val request: BatchRequest) {
                 for (file in view.files) {
                     val user = listOfNotNull(input.input, view.view?.name?.lowercase()).joinToString(", ")
                     val other = users.put(file.toAbsolutePath().normalize(), user)
-                    if (other != null) throw Mistake(clash(file, other, user))
+                    if (other != null) {
+                        // A misspelt flag is an input, too: report that first
+                        for (word in request.inputs) Input(word, request.subject(word).format).requireNamed()
+                        throw Mistake(clash(file, other, user))
+                    }
                 }
             }
         }
@@ -172,7 +176,11 @@ internal class BatchPlan(private val request: BatchRequest) {
 
     private fun check(file: Path) {
         OutputFile.requireEnding(file, "-o", endings)
-        OutputFile.requireFolderOrPlaceForIt(file)
+        if (template.placeholders.isEmpty()) {
+            OutputFile.requirePlace(file)
+        } else {
+            OutputFile.requireFolderOrPlaceForIt(file)
+        }
         if (request.output == null && Files.exists(file)) {
             throw Mistake("$file exists; to replace it, use -o '${template.text}'")
         }

@@ -46,7 +46,10 @@ internal class InputPictures(
         val pictures = Pictures(view, statistics)
         when (plan.kind) {
             Kind.STILLS -> for ((frame, file) in view.files.withIndex()) {
-                pictures.render(frame) { shot, render -> PictureFile.write(file, shot.pixels, shot.alpha, render) }
+                pictures.render(frame) { shot, render ->
+                    PictureFile.lostAlpha(file, shot.alpha)?.let { streams.warning(view.labels[frame], it) }
+                    PictureFile.write(file, shot.pixels, shot.alpha, render)
+                }
                 files.add(file)
             }
 
@@ -84,7 +87,8 @@ internal class InputPictures(
 
         private fun setUp(frame: Int, threads: Int): Shot {
             val turn: Turn? = turntable?.step(frame)
-            val shot = source.frame(loaded, request.choices.sharing(threads).options(), view.view, turn)
+            val options = request.choices.sharing(threads).options()
+            val shot = source.frame(loaded, options, view.view, turn, view.labels[frame])
             requireMemory(strategy(shot, threads), shot)
             return shot
         }

@@ -5,7 +5,6 @@ import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
-import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
@@ -18,22 +17,14 @@ import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.NamedInputs
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.input.TimeLimit
-import dev.lazyz.cli.options.CameraOptions
-import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.Completions
-import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
-import dev.lazyz.cli.options.LightOptions
-import dev.lazyz.cli.options.LimitOptions
-import dev.lazyz.cli.options.LineOptions
-import dev.lazyz.cli.options.PictureOptions
-import dev.lazyz.cli.options.ReadingOptions
+import dev.lazyz.cli.options.PictureCommand
 import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.comparedStrategies
 import dev.lazyz.cli.options.count
 import dev.lazyz.cli.options.listOf
-import dev.lazyz.cli.options.subject
 import dev.lazyz.cli.options.words
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
@@ -47,20 +38,13 @@ import dev.lazyz.world.View
  *
  * @param args the words of the command line, for bug reports
  */
-internal class CompareCommand(private val streams: Streams, private val args: List<String>) : Command("compare") {
+internal class CompareCommand(private val streams: Streams, private val args: List<String>) :
+    PictureCommand<ComparingOptions>("compare", ComparingOptions()) {
     private val inputs by argument(
         "INPUT",
         help = "$INPUT_HELP; or a folder: all models and scene files in it",
         completionCandidates = Completions.inputs,
     ).multiple(required = true)
-    private val comparing by ComparingOptions()
-    private val reading by ReadingOptions()
-    private val picture by PictureOptions()
-    private val light by LightOptions()
-    private val camera by CameraOptions()
-    private val lines by LineOptions()
-    private val cost by CostOptions()
-    private val limits by LimitOptions()
 
     override fun help(context: Context): String =
         "Renders models or scenes with all strategies, checks that the pictures are the same, and prints time and " +
@@ -76,24 +60,24 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     )
 
     override fun run() {
-        val code = StrategyPath.with(comparing.classPath) { compare() }
+        val code = StrategyPath.with(own.classPath) { compare() }
         if (code != ExitCode.DONE) throw ProgramResult(code)
     }
 
     private fun compare(): Int {
-        val views = comparing.views.orEmpty()
+        val views = own.views.orEmpty()
         val directed = camera.pointOfView().directed
         if (views.isNotEmpty() && directed.isNotEmpty()) {
             throw Mistake("--views cannot be combined with ${directed[0]}")
         }
-        val request = CompareRequest(comparing.strategies.distinct(), cost.choices(), comparing.repeat, views)
+        val request = CompareRequest(own.strategies.distinct(), cost.choices(), own.repeat, views)
         if (inputs.count { it == "-" } > 1) throw Mistake("standard input can be only one of the inputs")
         val named = NamedInputs(inputs, reading.format)
         if (named.isSingle && views.size < 2) {
             val subject = subject(inputs.single())
             return TimeLimit.OF_PROCESS.hold(subject.timeLimit, subject.input) { compareOne(request, subject) }
         }
-        return CompareSeveralJob(request, streams, ::subject, args).run(named.all, comparing.isJson)
+        return CompareSeveralJob(request, streams, ::subject, args).run(named.all, own.isJson)
     }
 
     private fun compareOne(request: CompareRequest, subject: Subject): Int {
@@ -101,17 +85,14 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
         val job = CompareJob(request, streams)
         val comparison = job.compare(source, source.load(), request.views.singleOrNull())
         if (comparison.isBlank) streams.nothingIsVisible()
-        streams.print(if (comparing.isJson) comparison.toJson() + "\n" else ComparisonTable.of(comparison))
+        streams.print(if (own.isJson) comparison.toJson() + "\n" else ComparisonTable.of(comparison))
         for (bug in comparison.bugs) streams.messages.println(Failure.bugReport(bug, args.toTypedArray()))
         return if (comparison.isGood) ExitCode.DONE else ExitCode.DIFFERENT
     }
-
-    private fun subject(input: String): Subject =
-        subject(input, reading, limits, picture, light, camera, lines)
 }
 
 /** Options that choose what to compare, and how to print the result. */
-private class ComparingOptions : OptionGroup("Comparing") {
+internal class ComparingOptions : OptionGroup("Comparing") {
     val strategies by comparedStrategies()
 
     val classPath by classPath()

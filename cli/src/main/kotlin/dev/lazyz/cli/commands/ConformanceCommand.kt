@@ -21,6 +21,7 @@ import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Nearest
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.output.counted
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.conformance.Conformance
@@ -29,6 +30,7 @@ import dev.lazyz.conformance.NotMadeException
 import dev.lazyz.conformance.RecordedReport
 import dev.lazyz.conformance.RecordedReportException
 import dev.lazyz.conformance.report.ConformanceReport
+import dev.lazyz.conformance.report.ShellWords
 import dev.lazyz.conformance.results.RuleListener
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.WaiversException
@@ -36,6 +38,7 @@ import dev.lazyz.conformance.run.FramesException
 import java.nio.file.Path
 import java.time.Duration
 import java.util.concurrent.ThreadLocalRandom
+import kotlin.io.path.exists
 import kotlin.io.path.writeText
 
 /** `zcli conformance`: runs the conformance suite on a built-in or custom strategy. */
@@ -124,8 +127,9 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     )
 
     override fun run() {
-        fuzzing.check()
+        fuzzing.check(rulesOnly())
         val process = ConformanceProcess.current()
+        if (process == null) frames?.let { announce(it) }
         val code = when {
             fuzzing.isAsked -> fuzz()
 
@@ -138,6 +142,36 @@ internal class ConformanceCommand(private val streams: Streams, private val args
             else -> supervise()
         }
         if (code != ExitCode.DONE) throw ProgramResult(code)
+    }
+
+    /** Returns the options that were given of those that have an effect only if rules are run. */
+    private fun rulesOnly(): List<String> = listOfNotNull(
+        if (isExploring) "--explore" else null,
+        tries?.let { "--tries" },
+        if (rules.isNotEmpty()) "--rule" else null,
+        waivers?.let { "--waivers" },
+        frames?.let { "--frames" },
+        verify?.let { "--verify" },
+        report?.let { "--report" },
+        deadline?.let { "--deadline" },
+        if (isInProcess) "--in-process" else null,
+        if (isQuiet) "--quiet" else null,
+        if (isJson) "--json" else null,
+    )
+
+    /** Reports how many frames of the user's own are in [folder], so that a misspelt name is noticed. */
+    private fun announce(folder: Path) {
+        val saved = "frames that rules fail on are saved there"
+        val found = try {
+            Conformance.ownFrames(folder)
+        } catch (bad: FramesException) {
+            throw Mistake("--frames: ${bad.message}")
+        }
+        when {
+            !folder.exists() -> streams.warning("--frames: there was no folder $folder; it is created, and $saved")
+            found == 0 -> streams.warning("--frames: no scene file or mesh is in $folder; $saved")
+            !isQuiet -> streams.note("${counted(found.toLong(), "frame")} of your own in $folder\n")
+        }
     }
 
     /** Runs the suite, passes the text of the report to [print], and returns the exit code. */
@@ -220,12 +254,10 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     /** Returns the command that reproduces a failure of the strategy [id], without the seed. */
     private fun command(id: String): String = buildString {
-        append("zcli conformance --strategy $id")
-        for (jar in classPath) append(" --classpath ").append(quoted(jar))
-        frames?.let { append(" --frames ").append(quoted("$it")) }
+        append("zcli conformance --strategy ").append(ShellWords.quoted(id))
+        for (jar in classPath) append(" --classpath ").append(ShellWords.quoted(jar))
+        frames?.let { append(" --frames ").append(ShellWords.quoted("$it")) }
     }
-
-    private fun quoted(word: String): String = if (word.any { it.isWhitespace() }) "'$word'" else word
 
     private fun unknown(rule: String): String {
         val names = SuiteRule.all.flatMap { listOf(it.name, it.number) }.distinct()

@@ -12,6 +12,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.cli.diff.DifferenceText
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.HelpText
+import dev.lazyz.cli.options.fileOf
 import dev.lazyz.cli.options.number
 import dev.lazyz.cli.options.path
 import dev.lazyz.cli.output.ExitCode
@@ -21,7 +22,6 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.scenes.pictures.PictureDifference
 import dev.lazyz.scenes.writers.writePng
-import java.nio.file.Path
 
 /** `zcli diff`: compares the pixels of two image files. */
 internal class DiffCommand(private val streams: Streams) : Command("diff") {
@@ -29,17 +29,17 @@ internal class DiffCommand(private val streams: Streams) : Command("diff") {
         "EXPECTED",
         help = "The picture as it should be: a PNG, PPM, TIFF, BMP, GIF, WBMP or JPEG file",
         completionCandidates = CompletionCandidates.Path,
-    ).convert { Path.of(it) }
+    ).convert { fileOf(it) { message -> fail(message) } }
 
     private val actual by argument(
         "ACTUAL",
         help = "The picture to compare with it: likewise",
         completionCandidates = CompletionCandidates.Path,
-    ).convert { Path.of(it) }
+    ).convert { fileOf(it) { message -> fail(message) } }
 
     private val threshold by option(
         "--threshold",
-        help = "The greatest difference of a channel that is accepted, 0..255, in steps of 8 bits; default: 0",
+        help = "The greatest difference of a channel that is accepted, 0..255, in 8-bit code values; default: 0",
     ).number("CODES", 0.0..255.0, "").default(0.0)
 
     private val diff by option(
@@ -50,8 +50,8 @@ internal class DiffCommand(private val streams: Streams) : Command("diff") {
     private val isJson by option("--json", help = "Print one JSON object").flag()
 
     override fun help(context: Context): String =
-        "Compares the pixels of two image files, and prints how many differ, by how much, and where.\n\nThe forms " +
-            "of the files do not matter, only their pixels. Exit code 1: the pictures differ, or their sizes do; 2: " +
+        "Compares the pixels of two image files, and prints how many differ, by how much, and where.\n\nFile " +
+            "format and encoding do not matter, only pixels. Exit code 1: the pictures differ, or their sizes do; 2: " +
             "a file could not be read."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(

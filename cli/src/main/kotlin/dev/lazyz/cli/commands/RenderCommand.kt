@@ -51,6 +51,8 @@ import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.ImageSize
+import java.nio.file.Files
+import java.nio.file.Path
 
 /**
  * `zcli render`: declares the options. [RenderJob] renders one picture, and [BatchJob] several.
@@ -103,6 +105,10 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     )
 
     override fun run() {
+        if (output.stats != null) requireAttachedForm()
+        if (picture.isOpaque && rendering.selector == Selector.blend()) {
+            throw Mistake("--select blend has no effect with --opaque, which leaves nothing to blend: omit one of them")
+        }
         if (rendering.isSelecting && picture.shadingRate == ShadingRate.PIXEL) {
             throw Mistake("--shading-rate pixel cannot be combined with --select")
         }
@@ -131,6 +137,15 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
             }
         }
         if (code != ExitCode.DONE) throw ProgramResult(code)
+    }
+
+    /** Reports a form of statistics that is separated from `--stats`, so that it is taken as an input. */
+    private fun requireAttachedForm() {
+        val word = args.getOrNull(args.indexOf("--stats") + 1) ?: return
+        val form = word.lowercase()
+        if (form in words(StatsForm.entries) && !Files.exists(Path.of(word))) {
+            throw Mistake("'$word' is taken as INPUT, and there is no such file; did you mean '--stats=$form'?")
+        }
     }
 
     private fun single(picture: String?) = RenderRequest(
@@ -242,8 +257,8 @@ private class ReferenceOptions : OptionGroup("Reference") {
 
     private val threshold by option(
         "--ref-threshold",
-        help = "The greatest difference of a channel from the reference that is accepted, 0..255, in steps of 8 " +
-            "bits; default: 0",
+        help = "The greatest difference of a channel from the reference that is accepted, 0..255, in 8-bit code " +
+            "values; default: 0",
     ).number("CODES", 0.0..255.0, "")
 
     private val diff by option(

@@ -4,28 +4,19 @@ import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
-import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.required
 import dev.lazyz.cli.compare.CompareRequest
 import dev.lazyz.cli.input.TimeLimit
-import dev.lazyz.cli.options.CameraOptions
-import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.Completions
-import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
-import dev.lazyz.cli.options.LightOptions
-import dev.lazyz.cli.options.LimitOptions
-import dev.lazyz.cli.options.LineOptions
-import dev.lazyz.cli.options.PictureOptions
-import dev.lazyz.cli.options.ReadingOptions
+import dev.lazyz.cli.options.PictureCommand
 import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.comparedStrategies
 import dev.lazyz.cli.options.count
 import dev.lazyz.cli.options.path
-import dev.lazyz.cli.options.subject
 import dev.lazyz.cli.output.CommandLine
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
@@ -39,16 +30,9 @@ import dev.lazyz.cli.strategies.StrategyPath
  *
  * @param args the words of the command line, for the page and for bug reports
  */
-internal class ReportCommand(private val streams: Streams, private val args: List<String>) : Command("report") {
+internal class ReportCommand(private val streams: Streams, private val args: List<String>) :
+    PictureCommand<ReportOptions>("report", ReportOptions()) {
     private val input by argument("INPUT", help = INPUT_HELP, completionCandidates = Completions.inputs)
-    private val page by ReportOptions()
-    private val reading by ReadingOptions()
-    private val picture by PictureOptions()
-    private val light by LightOptions()
-    private val camera by CameraOptions()
-    private val lines by LineOptions()
-    private val cost by CostOptions()
-    private val limits by LimitOptions()
 
     override fun help(context: Context): String =
         "Renders a model or a scene with all strategies, and writes a page of HTML with pictures, counters, heat " +
@@ -63,12 +47,12 @@ internal class ReportCommand(private val streams: Streams, private val args: Lis
     )
 
     override fun run() {
-        val subject = subject(input, reading, limits, picture, light, camera, lines)
-        val compared = CompareRequest(page.strategies.distinct(), cost.choices(), page.repeat, emptyList())
+        val subject = subject(input)
+        val compared = CompareRequest(own.strategies.distinct(), cost.choices(), own.repeat, emptyList())
         val command = CommandLine.of(CommandLine.without(args, setOf("-o", "--output")) + listOf("-o", "report.html"))
-        val report = StrategyPath.with(page.classPath) {
+        val report = StrategyPath.with(own.classPath) {
             TimeLimit.OF_PROCESS.hold(subject.timeLimit, input) {
-                ReportJob(ReportRequest(subject, page.output, compared, command), streams).run()
+                ReportJob(ReportRequest(subject, own.output, compared, command), streams).run()
             }
         }
         for (bug in report.bugs) streams.messages.println(Failure.bugReport(bug, args.toTypedArray()))
@@ -77,7 +61,7 @@ internal class ReportCommand(private val streams: Streams, private val args: Lis
 }
 
 /** Options of the page. */
-private class ReportOptions : OptionGroup("Report") {
+internal class ReportOptions : OptionGroup("Report") {
     val output by option("-o", "--output", help = "The file of the page: .html").path("OUT").required()
 
     val strategies by comparedStrategies()

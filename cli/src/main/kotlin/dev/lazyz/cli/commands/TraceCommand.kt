@@ -3,27 +3,18 @@ package dev.lazyz.cli.commands
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
-import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.required
 import dev.lazyz.cli.input.TimeLimit
-import dev.lazyz.cli.options.CameraOptions
-import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.Completions
-import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
-import dev.lazyz.cli.options.LightOptions
-import dev.lazyz.cli.options.LimitOptions
-import dev.lazyz.cli.options.LineOptions
-import dev.lazyz.cli.options.PictureOptions
-import dev.lazyz.cli.options.ReadingOptions
+import dev.lazyz.cli.options.PictureCommand
 import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.count
 import dev.lazyz.cli.options.severalStrategies
-import dev.lazyz.cli.options.subject
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.StrategyPath
@@ -34,22 +25,15 @@ import dev.lazyz.scenes.writers.animation.Animation
 import java.nio.file.Path
 
 /** `zcli trace`: declares the options. [TraceJob] does the work. */
-internal class TraceCommand(private val streams: Streams) : Command("trace") {
+internal class TraceCommand(private val streams: Streams) :
+    PictureCommand<FilmOptions>("trace", FilmOptions(), ImageSize(320, 240)) {
     private val input by argument("INPUT", help = INPUT_HELP, completionCandidates = Completions.inputs)
-    private val film by FilmOptions()
-    private val reading by ReadingOptions()
-    private val picture by PictureOptions(usualSize = ImageSize(320, 240))
-    private val light by LightOptions()
-    private val camera by CameraOptions()
-    private val lines by LineOptions()
-    private val cost by CostOptions()
-    private val limits by LimitOptions()
 
     override fun help(context: Context): String =
         "Makes a film of the order in which a strategy shades a picture.\n\nEach step shows some more shading calls: " +
             "pixels get their colours, and calls whose colour does not become part of the picture are pink. Two " +
             "strategies are shown side by side, with equally many calls at each step. Prints the numbers of calls. " +
-            "A sample is a pixel."
+            "Only with one sample per pixel (--aa 1)."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli trace teapot --strategy lazy -o order.gif" to "the order of one strategy",
@@ -64,17 +48,17 @@ internal class TraceCommand(private val streams: Streams) : Command("trace") {
         if ("--threads" in choices.needs) {
             throw Mistake("--threads cannot be used here: the order of shading calls is that of one thread")
         }
-        val subject = subject(input, reading, limits, picture, light, camera, lines)
+        val subject = subject(input)
         val request =
-            TraceRequest(subject, film.output, film.strategies, choices, film.steps, film.framesPerSecond)
-        StrategyPath.with(film.classPath) {
+            TraceRequest(subject, own.output, own.strategies, choices, own.steps, own.framesPerSecond)
+        StrategyPath.with(own.classPath) {
             TimeLimit.OF_PROCESS.hold(subject.timeLimit, input) { TraceJob(request, streams).run() }
         }
     }
 }
 
 /** Options of the film. */
-private class FilmOptions : OptionGroup("Film") {
+internal class FilmOptions : OptionGroup("Film") {
     val output by option(
         "-o",
         "--output",

@@ -29,7 +29,7 @@ internal class CompareJob(
 
     /** Compares pictures of the scene [loaded] from [source], from the side [view] unless it is null. */
     fun compare(source: FrameSource, loaded: LoadedScene, view: View? = null): Comparison {
-        val shot = source.frame(loaded, request.choices.options(), view)
+        val shot = source.frame(loaded, request.choices.options(), view, name = view?.name?.lowercase())
         val frame = shot.frame
         val able = strategies.filter { canRender(it, frame) }
         if (able.isEmpty()) throw Mistake(noneBlends())

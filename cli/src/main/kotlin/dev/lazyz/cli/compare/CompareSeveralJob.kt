@@ -9,6 +9,7 @@ import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.output.counted
 import dev.lazyz.cli.output.printable
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.buildJsonObject
@@ -77,6 +78,7 @@ internal class CompareSeveralJob(
             if (mistake == null) report(failure)
             val message = mistake ?: "bug in zcli, $failure"
             line.add(message)
+            streams.error(line.named(message))
             if (isJson) printLine(Json.of(error(input, message)))
         }
         return line
@@ -108,14 +110,17 @@ internal class CompareSeveralJob(
 
     private fun count(verdict: Verdict): Int = verdicts.count { it == verdict }
 
-    private fun summary(): String = "%,d inputs: %,d ok, %,d differ, %,d failed, %,d errors; ".format(
-        null,
-        verdicts.size,
-        count(Verdict.OK),
-        count(Verdict.DIFFERS),
-        count(Verdict.FAILED),
-        count(Verdict.ERROR),
-    ) + "%,d pictures, %,d of them blank".format(null, pictures, blank)
+    private fun summary(): String {
+        fun counted(verdict: Verdict, one: String, several: String) = counted(count(verdict).toLong(), one, several)
+        val outcomes = listOf(
+            counted(Verdict.OK, "ok", "ok"),
+            counted(Verdict.DIFFERS, "differs", "differ"),
+            counted(Verdict.FAILED, "failed", "failed"),
+            counted(Verdict.ERROR, "error", "errors"),
+        )
+        return "${counted(verdicts.size.toLong(), "input")}: ${outcomes.joinToString()}; " +
+            "${counted(pictures.toLong(), "picture")}, %,d of them blank".format(null, blank)
+    }
 
     private fun totals(): JsonObject = buildJsonObject {
         put("inputs", verdicts.size)
@@ -157,6 +162,9 @@ private class CompareLine(input: String) {
         }
     }
 
+    /** Returns [message] with the name of the input. Messages about files already begin with it. */
+    fun named(message: String): String = if (message.startsWith(name)) message else "$name: $message"
+
     /** Adds why the input could not be compared. */
     fun add(mistake: String) = worsen(Verdict.ERROR, mistake)
 
@@ -168,12 +176,13 @@ private class CompareLine(input: String) {
     }
 
     override fun toString(): String {
-        // Messages about files already begin with the name of the file
         val lead = verdict.word.padEnd(Verdict.entries.maxOf { it.word.length } + 2)
-        if (verdict != Verdict.OK) return lead + if (message.startsWith(name)) message else "$name: $message"
+        if (verdict != Verdict.OK) return lead + named(message)
         return buildString {
-            append("$lead$name: ").append("%,d primitives".format(null, primitives))
-            if (notBlending > 0) append(", translucent: $notBlending strategies left out")
+            append("$lead$name: ").append(counted(primitives.toLong(), "primitive"))
+            if (notBlending > 0) {
+                append(", translucent: ${counted(notBlending.toLong(), "strategy", "strategies")} left out")
+            }
             if (blank > 0) append(", nothing is visible")
         }
     }

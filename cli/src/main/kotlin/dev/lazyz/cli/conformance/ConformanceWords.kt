@@ -2,6 +2,7 @@ package dev.lazyz.cli.conformance
 
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.output.counted
 import dev.lazyz.conformance.RecordedReport
 import dev.lazyz.conformance.report.ConformanceReport
 import dev.lazyz.conformance.results.RuleListener
@@ -15,9 +16,9 @@ internal class ConformanceWords(private val recorded: RecordedReport?, private v
 
     private fun comparison(recorded: RecordedReport, report: ConformanceReport): String {
         val differences = recorded.differences(report)
-        val rules = "${report.results.size} rules"
+        val rules = counted(report.results.size.toLong(), "rule")
         if (differences.isEmpty()) return "verified: ${report.strategy.id}, $rules, the same outcomes\n"
-        return "NOT verified: ${report.strategy.id}, ${differences.size} of $rules have a different outcome\n" +
+        return "NOT verified: ${report.strategy.id}, $rules, ${differences.size} with a different outcome\n" +
             differences.joinToString("") { "  $it\n" }
     }
 

@@ -45,9 +45,15 @@ internal class FuzzingOptions :
         return fuzzing.run()
     }
 
-    /** Throws [Mistake] if an option was given that needs `--against`, and `--against` was not. */
-    fun check() {
-        if (against != null) return
+    /**
+     * Throws [Mistake] if an option was given that needs `--against`, and `--against` was not; or if it was, and one of
+     * [others], the given options that have no effect then.
+     */
+    fun check(others: List<String>) {
+        if (against != null) {
+            val unused = others.firstOrNull() ?: return
+            throw Mistake("$unused has no effect with --against, which compares pictures and runs no rules: omit it")
+        }
         if (minutes != null) throw Mistake("--minutes needs --against")
         if (corpus != null) throw Mistake("--corpus needs --against")
     }

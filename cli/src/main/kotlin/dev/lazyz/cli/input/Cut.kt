@@ -4,18 +4,21 @@ import dev.lazyz.sections.SectionPlane
 import dev.lazyz.world.Scene
 import org.joml.Vector3d
 
-/** A plane from the command line: `x=0.5`, `-z=10%` or `a,b,c,d`. */
-internal sealed class Cut {
+/** A plane from the command line, whose [text] is `x=0.5`, `-z=10%` or `a,b,c,d`. */
+internal sealed class Cut(private val text: String) {
     /** Returns the plane for [scene]. */
     abstract fun plane(scene: Scene): SectionPlane
 
+    override fun toString(): String = text
+
     /** A plane across an axis (0..2); [sign] is 1 to remove what is beyond it, and -1 to remove what is before it. */
     class Axis(
+        text: String,
         private val axis: Int,
         private val sign: Int,
         private val place: Double,
-        private val isPercent: Boolean
-    ) : Cut() {
+        private val isPercent: Boolean,
+    ) : Cut(text) {
         override fun plane(scene: Scene): SectionPlane {
             val at = if (isPercent) fraction(scene, place / 100) else place
             val normal = Vector3d().setComponent(axis, 1.0)
@@ -33,7 +36,13 @@ internal sealed class Cut {
     }
 
     /** A plane given by its normal and its distance. */
-    class General(private val a: Double, private val b: Double, private val c: Double, private val d: Double) : Cut() {
+    class General(
+        text: String,
+        private val a: Double,
+        private val b: Double,
+        private val c: Double,
+        private val d: Double,
+    ) : Cut(text) {
         override fun plane(scene: Scene): SectionPlane {
             val length = StrictMath.sqrt(a * a + b * b + c * c)
             return SectionPlane(Vector3d(a, b, c), d / length)
@@ -49,22 +58,13 @@ internal sealed class Cut {
         fun parse(text: String): Cut? {
             AXIS.matchEntire(text)?.let { match ->
                 val (sign, axis, place, percent) = match.destructured
-                return Axis(
-                    "xyz".indexOf(axis.lowercase()),
-                    if (sign ==
-                        "-"
-                    ) {
-                        -1
-                    } else {
-                        1
-                    },
-                    place.toDouble(), percent == "%"
-                )
+                val direction = if (sign == "-") -1 else 1
+                return Axis(text, "xyz".indexOf(axis.lowercase()), direction, place.toDouble(), percent == "%")
             }
             val numbers = GENERAL.matchEntire(text)?.groupValues?.drop(1)?.map { it.toDouble() } ?: return null
             val (a, b, c, d) = numbers
             val square = a * a + b * b + c * c
-            return if (square > 0.0 && square.isFinite() && d.isFinite()) General(a, b, c, d) else null
+            return if (square > 0.0 && square.isFinite() && d.isFinite()) General(text, a, b, c, d) else null
         }
     }
 }

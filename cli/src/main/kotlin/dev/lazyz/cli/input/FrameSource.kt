@@ -70,15 +70,25 @@ internal class FrameSource(
 
     /**
      * Returns the picture of [loaded], seen from [view] or, if that is null, from the side that the options choose, and
-     * then from the step [turn] of a turntable. It is set up by the threads of [options].
+     * then from the step [turn] of a turntable. It is set up by the threads of [options]. A printed camera begins with
+     * [name], unless it is null.
      */
-    fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null, turn: Turn? = null): Shot {
+    fun frame(
+        loaded: LoadedScene,
+        options: RenderOptions,
+        view: View? = null,
+        turn: Turn? = null,
+        name: String? = null,
+    ): Shot {
         // Apply the options of sections, axis, camera, shading and lines
         val lineWork = subject.lineWork
         val up = subject.up ?: loaded.usualUp
         val side = if (view == null) subject.pointOfView else subject.pointOfView.from(view)
         val pointOfView = (if (turn == null) side else side.at(turn))
             .withDefaults(if (loaded.scene.isOnScreen) null else subject.style)
+        if (pointOfView.lacksCamera(loaded)) {
+            streams.warning("--camera scene: ${input.name} has no camera, and is shown as a whole")
+        }
         val cut = loaded.withScene(lineWork.cut(loaded.scene) { streams.warning(it) })
         val upright = try {
             pointOfView.applyTo(cut, up)
@@ -97,7 +107,10 @@ internal class FrameSource(
         // Lit spheres are the last materials; only what is opaque after that hides light and lines
         val lit = subject.translucency.appliedTo(subject.light.lit(viewed, subject, loaded))
         val shadowed = subject.light.withShadows(lit, input.name, hasFreePlanes, options, streams)
-        if (pointOfView.isPrinted) streams.note(PointOfView.words(shadowed.viewpoint as Camera, up) + "\n")
+        if (pointOfView.isPrinted) {
+            val words = PointOfView.words(shadowed.viewpoint as Camera, up)
+            streams.note((if (name == null) words else "$name: $words") + "\n")
+        }
         val scene = lineWork.drawnOn(toned(shadowed), raster)
         val region = region(raster)
         streams.progress("setting up ${raster.width}x${raster.height} ...")

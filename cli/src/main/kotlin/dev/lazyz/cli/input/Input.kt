@@ -73,6 +73,11 @@ internal class Input(
         return Scenes.stream(existingFile(), statedFormat, options.limits, spool)
     }
 
+    /** Reports mistakes in the name, without reading anything. */
+    fun requireNamed() {
+        if (!isStandardInput && !isBuiltin) existingFile()
+    }
+
     /** Returns the file that the input names. It exists, and its format is known from its extension or its content. */
     private fun existingFile(): Path {
         val path = Path.of(word)
@@ -89,7 +94,11 @@ internal class Input(
         val isThere = word.isNotEmpty() && Files.exists(path)
         if (isThere && Files.isDirectory(path)) throw Mistake(NamedInputs.problem(word, format))
         if (!isThere) {
-            if (format != null || SceneFormat.ofFileName(word) != null) throw Mistake("$shown: no such file")
+            if (format != null || SceneFormat.ofFileName(word) != null) {
+                val isScene = format != null && Scenes.builtins.any { it.id == word }
+                val rule = if (isScene) "; with --format, INPUT is always a file" else ""
+                throw Mistake("$shown: no such file$rule")
+            }
             val hint = Nearest.hint(word, Scenes.builtins.map { it.id })
             throw Mistake("there is no built-in scene and no file '$shown'$hint\nSee 'zcli scenes'.")
         }

@@ -10,6 +10,7 @@ import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.drawing.HiddenLines
 import dev.lazyz.sections.Hatching
 import dev.lazyz.sections.Section
+import dev.lazyz.sections.SectionPlane
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
@@ -44,13 +45,19 @@ internal class LineWork(
         if (color != null && color.alpha != 1f) throw Mistake("--edge-color must be opaque")
         if (capColor != null && cuts.isEmpty()) throw Mistake("--cap-color needs --cut")
         if (hasEdges && isWireframe) throw Mistake("--wireframe contains the edges of --edges; use one of them")
+        if (creaseAngle != null && isWireframe) {
+            throw Mistake("--crease-angle has no effect with --wireframe, which draws all edges: omit one of them")
+        }
         val isDrawn = hasEdges || isWireframe || isTechnical
         val given = mapOf(
-            "--crease-angle" to creaseAngle, "--hidden-lines" to hidden, "--edge-width" to width,
+            CREASE_ANGLE to creaseAngle, "--hidden-lines" to hidden, "--edge-width" to width,
             "--edge-color" to color,
         )
         val lonely = given.entries.firstOrNull { it.value != null && !isDrawn }
-        if (lonely != null) throw Mistake("${lonely.key} needs --edges, --wireframe or --style technical")
+        if (lonely != null) {
+            val edges = if (lonely.key == CREASE_ANGLE) "--edges" else "--edges, --wireframe"
+            throw Mistake("${lonely.key} needs $edges or --style technical")
+        }
         edges = if (!isDrawn) {
             null
         } else {
@@ -67,9 +74,19 @@ internal class LineWork(
     fun cut(scene: Scene, warn: (String) -> Unit): Scene {
         if (cuts.isEmpty()) return scene
         if (scene.isOnScreen) throw Mistake("--cut: a scene given on the screen cannot be cut")
-        val cut = Section(cuts.map { it.plane(scene) }) { cap(it, scene) }.of(scene)
+        val planes = cuts.map { it.plane(scene) }
+        for ((cut, plane) in cuts.zip(planes)) {
+            if (isKept(scene, plane)) warn("--cut $cut removes nothing: the input is on the other side")
+        }
+        val cut = Section(planes) { cap(it, scene) }.of(scene)
         cut.warnings.forEach(warn)
         return cut.scene
+    }
+
+    /** Returns whether nothing of [scene] is beyond [plane]. */
+    private fun isKept(scene: Scene, plane: SectionPlane): Boolean {
+        val farthest = scene.farthest(plane.normal) ?: return false
+        return plane.normal.dot(farthest) <= plane.distance
     }
 
     private fun cap(material: Material, scene: Scene): Material = when {
@@ -123,6 +140,8 @@ internal class LineWork(
         const val HATCHES = 40
         const val HATCH_SHARE = 0.2
         const val HATCH_COLOR = 0x606060
+
+        const val CREASE_ANGLE = "--crease-angle"
 
         /** The name of the material of caps. */
         const val CAP = "cap"

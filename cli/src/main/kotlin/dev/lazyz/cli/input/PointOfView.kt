@@ -83,6 +83,10 @@ internal class PointOfView(
         )
     }
 
+    /** Returns whether the user asks for the own camera of [loaded], a model that has none. */
+    fun lacksCamera(loaded: LoadedScene): Boolean =
+        choice != null && choice == CameraChoice.OfScene && loaded.isModel && loaded.cameras.isEmpty()
+
     /** Whether the user did not choose the near or the far plane. */
     val hasFreePlanes: Boolean get() = placement.near == null && placement.far == null
 

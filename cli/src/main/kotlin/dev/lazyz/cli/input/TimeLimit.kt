@@ -1,6 +1,7 @@
 package dev.lazyz.cli.input
 
 import dev.lazyz.cli.output.Mistake
+import java.math.BigDecimal
 import java.time.Duration
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.FutureTask
@@ -40,7 +41,7 @@ internal enum class TimeLimit(private val patience: Long) {
                 worker.interrupt()
                 worker.join(patience)
                 return finished(task) ?: throw Mistake(
-                    "$name: takes more than ${limit.toMillis()} ms to read and render; raise --max-seconds",
+                    "$name: takes more than ${seconds(limit)} s to read and render; raise --max-seconds",
                 )
             }
         } catch (failed: ExecutionException) {
@@ -50,6 +51,9 @@ internal enum class TimeLimit(private val patience: Long) {
             throw interrupted
         }
     }
+
+    private fun seconds(limit: Duration): String =
+        BigDecimal.valueOf(limit.toMillis(), 3).stripTrailingZeros().toPlainString()
 
     /** Returns the result of [task] if it has one; its failure may be due to the interrupt. */
     private fun <T> finished(task: FutureTask<T>): T? = try {

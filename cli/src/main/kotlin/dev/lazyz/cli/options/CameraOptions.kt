@@ -22,11 +22,16 @@ internal class CameraOptions : OptionGroup("Camera") {
     val view by option("--view", help = "Look from ${names(words(View.entries).keys)}")
         .oneOf("SIDE", words(View.entries))
 
-    private val azimuth by option("--azimuth", help = "Degrees around the up axis: 0 front, 90 right; default: 30")
-        .number("DEGREES", -1e6..1e6, " degrees")
+    private val azimuth by option(
+        "--azimuth",
+        help = "Degrees around the up axis: 0 front, 90 right; default: that of --view, or of the camera of the " +
+            "scene, or 30",
+    ).number("DEGREES", -1e6..1e6, " degrees")
 
-    private val elevation by option("--elevation", help = "Degrees above the horizon, -90..90; default: 20")
-        .number("DEGREES", -90.0..90.0, " degrees")
+    private val elevation by option(
+        "--elevation",
+        help = "Degrees above the horizon, -90..90; default: that of --view, or of the camera of the scene, or 20",
+    ).number("DEGREES", -90.0..90.0, " degrees")
 
     private val projection by option("--projection", help = "perspective or orthographic; default: perspective")
         .oneOf("KIND", words(Fit.entries))

@@ -191,7 +191,11 @@ internal fun <T : Any> RawOption.listOf(metavar: String, values: Map<String, T>)
 
 /** An option whose value is a file or a folder. */
 internal fun RawOption.path(metavar: String = "FILE"): NullableOption<Path, Path> =
-    convert(metavar, CompletionCandidates.Path) { Path.of(it) }
+    convert(metavar, CompletionCandidates.Path) { text -> fileOf(text) { fail(it) } }
+
+/** Returns the file or folder that [text] names. `-`, which is none, is passed to [fail] as a message. */
+internal inline fun fileOf(text: String, fail: (String) -> Nothing): Path =
+    if (text == "-") fail("'-', standard input or output, is not possible here: name a file") else Path.of(text)
 
 /** Returns the value called [name], or calls [fail] with a message. */
 private fun <T : Any> named(name: String, values: Map<String, T>, fail: (String) -> Nothing): T =

@@ -1,13 +1,11 @@
 package dev.lazyz.cli.output
 
+import dev.lazyz.conformance.report.ShellWords
+
 /** Command lines of zcli as text. */
 internal object CommandLine {
     /** Returns the command with the words [args], as it is typed in a shell. */
-    fun of(args: List<String>): String = (listOf("zcli") + args).joinToString(" ", transform = ::word)
-
-    /** Returns [word] as it is typed in a shell. */
-    fun word(word: String): String =
-        if (word.isEmpty() || word.any { it in SPECIAL }) "'${word.replace("'", "'\\''")}'" else word
+    fun of(args: List<String>): String = (listOf("zcli") + args).joinToString(" ", transform = ShellWords::quoted)
 
     /** Returns [args] without the options [names], which have a value each, up to a word `--`. */
     fun without(args: List<String>, names: Set<String>): List<String> {
@@ -23,7 +21,4 @@ internal object CommandLine {
         }
         return kept + args.drop(end)
     }
-
-    /** What means something to a shell. */
-    private const val SPECIAL = " \t\n\"'\\$&|;<>()*?[]{}!~#`"
 }

@@ -27,6 +27,7 @@ internal object OutputFile {
     fun requireDistinct(files: List<Pair<String, Path>>) {
         for ((i, first) in files.withIndex()) {
             val second = files.drop(i + 1).firstOrNull { isSame(it.second, first.second) } ?: continue
+            if (first.first == second.first) throw Mistake("${first.first} is given twice")
             throw Mistake("${first.first} and ${second.first} must be different files: ${second.second}")
         }
     }
@@ -84,7 +85,12 @@ internal object OutputFile {
         requirePlaceIn(folder, path)
     }
 
-    private fun requirePlace(path: Path) {
+    /**
+     * Checks that [path] can be written, in a folder that exists.
+     *
+     * @throws Mistake otherwise
+     */
+    fun requirePlace(path: Path) {
         val folder = path.toAbsolutePath().parent
         if (!Files.isDirectory(path) && !Files.isDirectory(folder)) {
             throw Mistake("cannot write $path: there is no folder $folder")

@@ -25,7 +25,7 @@ internal enum class Placeholder {
 }
 
 /**
- * The name of a file with placeholders: `{stem}_{view}.png`. Two braces, `{{`, stand for one.
+ * The name of a file with placeholders: `{stem}_{view}.png`. Two braces, `{{` or `}}`, stand for one.
  *
  * @throws Mistake if a placeholder is unknown, or a brace is not closed
  */
@@ -48,11 +48,8 @@ internal class OutputTemplate(val text: String) {
         var at = 0
         while (at < text.length) {
             val open = text.indexOf('{', at)
-            if (open < 0) {
-                found.add(text.substring(at))
-                break
-            }
-            found.add(text.substring(at, open))
+            found.add((if (open < 0) text.substring(at) else text.substring(at, open)).replace("}}", "}"))
+            if (open < 0) break
             if (text.startsWith("{{", open)) {
                 found.add("{")
                 at = open + 2
@@ -75,6 +72,6 @@ internal class OutputTemplate(val text: String) {
         private val known = Placeholder.entries.associateBy { it.name.lowercase() }
 
         /** Returns the template without placeholders whose only file is [name]. */
-        fun of(name: String): String = name.replace("{", "{{")
+        fun of(name: String): String = name.replace("{", "{{").replace("}}", "}}}}")
     }
 }

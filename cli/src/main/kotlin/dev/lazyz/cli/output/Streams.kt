@@ -61,7 +61,8 @@ internal class Streams(
         }
     }
 
-    private fun warning(what: String?, message: String) = warning((if (what == null) "" else "$what: ") + message)
+    /** Warns of [message], about [what] if there are several pictures. */
+    fun warning(what: String?, message: String) = warning((if (what == null) "" else "$what: ") + message)
 
     /** Prints text to standard error without a prefix. */
     fun note(text: String) {

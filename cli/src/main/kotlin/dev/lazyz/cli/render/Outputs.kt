@@ -4,7 +4,6 @@ import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.cli.input.Input
 import dev.lazyz.cli.input.Shot
-import dev.lazyz.cli.output.CommandLine
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.OutputFile
@@ -12,6 +11,7 @@ import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.output.OutputTemplate
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.printable
+import dev.lazyz.conformance.report.ShellWords
 import dev.lazyz.planning.MemoryItem
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.PfmSink
@@ -87,7 +87,10 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     }
 
     private fun <T> writePicture(shot: Shot, render: (RowSink?) -> T): T {
-        if (picture != null) return PictureFile.write(picture, shot.pixels, shot.alpha, render)
+        if (picture != null) {
+            PictureFile.lostAlpha(picture, shot.alpha)?.let { streams.warning(it) }
+            return PictureFile.write(picture, shot.pixels, shot.alpha, render)
+        }
         if (!isStandardOutput) return render(null)
         return PngSink(streams.output, shot.pixels.width, shot.pixels.height, shot.alpha).use(render)
     }
@@ -119,7 +122,7 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
         val path = Path.of("$name.png")
         if (Files.exists(path)) {
             val template = OutputTemplate.of("$path")
-            throw Mistake("${printable("$path")} exists; to replace it, use -o ${CommandLine.word(template)}")
+            throw Mistake("${printable("$path")} exists; to replace it, use -o ${ShellWords.quoted(template)}")
         }
         return path
     }

@@ -23,6 +23,12 @@ internal object PictureFile {
     /** Whether [path] names a Deep Zoom pyramid: a file and a folder. */
     fun isPyramid(path: Path): Boolean = path.extension.equals(DeepZoomFiles.EXTENSION, ignoreCase = true)
 
+    /** Returns a warning if a picture with this [alpha] loses it in the file [path], otherwise null. */
+    fun lostAlpha(path: Path, alpha: AlphaChannel): String? {
+        if (alpha == AlphaChannel.DROP || isPyramid(path) || ImageFiles.formatOf(path) != ImageFormat.PPM) return null
+        return "a .ppm file has no alpha: what is transparent is written as opaque; use .png"
+    }
+
     /** Returns the memory for writing the pixels of [region] to [path], or as PNG to standard output if it is null. */
     fun memory(path: Path?, region: Region): Long = when {
         path == null -> PngSink.memory(region.width, region.height)

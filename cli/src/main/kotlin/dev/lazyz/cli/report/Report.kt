@@ -4,6 +4,7 @@ import dev.lazyz.Image
 import dev.lazyz.aov.AovImage
 import dev.lazyz.cli.compare.Comparison
 import dev.lazyz.cli.compare.Outcome
+import dev.lazyz.cli.output.counted
 
 /**
  * What is seen of a rendering besides its cost.
@@ -76,8 +77,12 @@ internal class Report(
             val equal = tried.count { isIdentical(it) }
             val skipped = entries.size - tried.size
             val rest = if (skipped == 0) "" else "; $skipped cannot blend translucent surfaces"
-            val head = if (isGood) "Identical: all $equal" else "Not identical: $equal of ${tried.size}"
-            val bits = "strategies give the same bits at all %,d pixels".format(null, pixels.size)
-            return "$head $bits, pixel hash ${hash ?: "none"}$rest"
+            val size = counted(pixels.size, "pixel")
+            val result = when {
+                isGood && equal == 1 -> "Only one strategy, so nothing was compared; $size"
+                isGood -> "Identical: all $equal strategies give the same bits at all $size"
+                else -> "Not identical: $equal of ${tried.size} strategies give the same bits at all $size"
+            }
+            return "$result, pixel hash ${hash ?: "none"}$rest"
         }
 }

@@ -1,12 +1,15 @@
 package dev.lazyz.cli.report
 
 import dev.lazyz.cli.output.Version
+import dev.lazyz.cli.output.counted
 import dev.lazyz.cli.page.Page
 import dev.lazyz.scenes.html.Html.escaped
 
 /** A [Report] as one page of HTML, without a script. */
 internal class ReportPage(private val report: Report) {
-    private val page = Page("${report.input}: one picture, ${report.entries.size} orders of evaluation")
+    private val title = "${report.input}: one picture, " +
+        counted(report.entries.size.toLong(), "order of evaluation", "orders of evaluation")
+    private val page = Page(title)
     private val shot = report.comparison.shot
     private val numbers = ReportNumbers(report)
     private val maps = ReportMaps(report, page.pictures)
@@ -30,7 +33,7 @@ internal class ReportPage(private val report: Report) {
 
     private fun StringBuilder.opening() {
         appendLine("<header>")
-        appendLine("<h1>${escaped(report.input)}: one picture, ${report.entries.size} orders of evaluation</h1>")
+        appendLine("<h1>${escaped(title)}</h1>")
         val (look, sign) = if (report.isGood) "good" to "✓" else "bad" to "✗"
         appendLine("""<p class="verdict $look"><strong>$sign ${escaped(report.verdict)}</strong></p>""")
         appendLine(

@@ -41,8 +41,9 @@ internal class Film(
         if (bytes > available / 2) {
             throw Mistake(
                 "a film of ${animation.frames} pictures of ${animation.width}x${animation.height} needs " +
-                    "${Bytes.readable(bytes)} of memory, and Java may use ${Bytes.readable(available)}; choose a " +
-                    "smaller --size or fewer --steps" + if (kept > 1) ", or write a .png" else "",
+                    "${Bytes.readable(bytes)} of memory, and a film may use half of the ${Bytes.readable(available)} " +
+                    "that Java may use; choose a smaller --size or fewer --steps" +
+                    if (kept > 1) ", or write a .png" else "",
             )
         }
         val most = orders.maxOf { it.size }

@@ -7,8 +7,10 @@ import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.output.counted
 import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.cli.strategies.StrategyChoice
+import dev.lazyz.scenes.writers.AlphaChannel
 
 /** One run of `zcli trace`: reads, sets up, renders with each strategy, and writes the film. */
 internal class TraceJob(private val request: TraceRequest, private val streams: Streams) {
@@ -40,11 +42,14 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         if (request.output.toString().endsWith(PAGE, ignoreCase = true)) {
             FilmPage(orders, picture, source.input.name, request.steps, request.framesPerSecond).write(request.output)
         } else {
+            if (shot.alpha == AlphaChannel.KEEP) {
+                streams.warning("a film has no alpha: what is transparent is shown as opaque; use .html")
+            }
             Film(orders, picture, request.steps, request.framesPerSecond).write(request.output)
         }
         for (order in orders) {
-            val numbers = "%,d shading calls, %,d of them discarded".format(null, order.size, order.discarded)
-            streams.print("${order.strategy}: $numbers\n")
+            val calls = counted(order.size.toLong(), "shading call")
+            streams.print("${order.strategy}: $calls, %,d of them discarded\n".format(null, order.discarded))
         }
         streams.remark("wrote ${request.output}")
     }

@@ -52,6 +52,35 @@ class BatchMistakesTest {
         assertFalse(out.exists())
     }
 
+    /** The value of `--stats` needs `=`: otherwise the word is an input. */
+    @Test
+    fun theFormOfStatisticsIsNotAnInput() {
+        for (form in listOf("json", "table", "JSON")) {
+            val hint = "did you mean '--stats=${form.lowercase()}'?"
+            val message = "'$form' is taken as INPUT, and there is no such file; $hint"
+            render("teapot", "--stats", form, "-o", "$out/a.png").mistake(message)
+            render("teapot", "-o", "$out/{stem}.png", "--stats", form).mistake(message)
+        }
+        assertFalse(out.exists())
+    }
+
+    /** A missing input is the more likely mistake. */
+    @Test
+    fun missingInputsAreReportedBeforeNamesOfFiles() {
+        render("teapot", "jsno", "-o", "$out/a.png").mistake("there is no built-in scene and no file 'jsno'")
+        render("teapot", "city", "-o", "$out/a.png").mistake("two pictures would be written to $out/a.png")
+    }
+
+    @Test
+    fun onlyNamesWithPlaceholdersCreateFolders() {
+        for (options in listOf(listOf("--turntable", "3"), listOf("--contact-sheet"))) {
+            render("teapot", *options.toTypedArray(), "-o", "$out/a.png").mistake("there is no folder $out")
+            assertFalse(out.exists())
+        }
+        render("teapot", "--turntable", "2", "-o", "$out/{stem}.gif").done()
+        assertTrue(out.resolve("teapot.gif").exists())
+    }
+
     @Test
     fun inputsWithoutAnExtension() {
         val bare = folder.wedge("bare")

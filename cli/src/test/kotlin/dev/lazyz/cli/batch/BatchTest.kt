@@ -122,6 +122,8 @@ class BatchTest {
     @Test
     fun aNameWithoutPlaceholdersIsThatOfOnePicture() {
         render("teapot", "-o", "$folder/{{a}.png", "--depth-out", folder.resolve("a.pfm")).done()
+        render("teapot", "-o", "$folder/{{{stem}}}{{c}}}}.png").done()
+        assertTrue(folder.resolve("{teapot}{c}}.png").exists())
         assertTrue(folder.resolve("{a}.png").exists())
         render("teapot", "--contact-sheet", "-o", "$folder/{{b}.png").done()
         assertTrue(folder.resolve("{b}.png").exists())
@@ -145,7 +147,7 @@ class BatchTest {
     fun twoPicturesOfOneNameAreAMistakeBeforeAnythingIsRendered() {
         render("teapot", "city", "-o", "$out/x.png").mistake("x.png", "teapot", "city", "{stem}")
         render("teapot", "--views", "iso,top", "-o", "$out/{stem}.png").mistake("teapot, iso", "teapot, top", "{view}")
-        render("teapot", "./teapot", "-o", "$out/{stem}.png").mistake("{index}")
+        render("teapot", folder.wedge("teapot.obj"), "-o", "$out/{stem}.png").mistake("{index}")
         assertFalse(out.exists())
     }
 

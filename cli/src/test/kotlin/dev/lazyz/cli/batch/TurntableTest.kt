@@ -31,7 +31,7 @@ class TurntableTest {
             "render", wedge, "--turntable", steps, "-o", "$folder/{frame}.png", "--print-camera", *size, *args,
         )
         assertEquals(0, run.code, run.errors)
-        return run.errors.trim().lines().map { it.split(' ') }
+        return run.errors.trim().lines().map { it.substringAfter(": ").split(' ') }
     }
 
     private fun frame(number: Int): BufferedImage = folder.resolve("$number.png").image

@@ -129,15 +129,31 @@ class CompareSeveralTest {
         val none = folder.resolve("none.obj")
         val empty = folder.resolve("empty").createDirectories()
         val run = compare(broken, none, empty, "teapto", "teapot")
-        assertEquals(ExitCode.MISTAKE to "", run.code to run.errors)
+        assertEquals(ExitCode.MISTAKE, run.code)
         val lines = run.lines()
+
+        // They are errors, so they go to standard error, too
+        val errors = lines.filter { it.startsWith("error") }.map { "zcli: error: ${it.substringAfter("error    ")}" }
+        assertEquals(errors, run.errors.lines().filter { it.startsWith("zcli: error: ") })
         assertEquals(List(4) { "error" } + "ok" + "5", lines.map { it.substringBefore(" ") })
         assertTrue(lines[0].startsWith("error    $broken, line 1: "), run.text)
         assertEquals("error    $none: no such file", lines[1])
         assertTrue(lines[3].endsWith("'teapto'; did you mean 'teapot'?"), run.text)
         val json = compare(none, "teapot", "--json").lines()
         assertEquals("{\"input\":\"$none\",\"message\":\"$none: no such file\"}", json[0])
+        assertEquals("zcli: error: $none: no such file\n", compare(none, "teapot", "--json").errors)
         assertEquals(listOf("1", "1"), listOf("error", "ok").map { statIn(json.last(), it) })
+    }
+
+    @Test
+    fun oneIsCountedInTheSingular() {
+        val one = compare(folder.resolve("none.obj"), "teapot").lines().last()
+        assertEquals("2 inputs: 1 ok, 0 differ, 0 failed, 1 error; 1 picture, 0 of them blank", one)
+        val only = folder.resolve("only").createDirectories()
+        only.resolve("a.obj").writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        val lines = compare(only).lines()
+        assertTrue(lines[0].endsWith("a.obj: 1 primitive"), lines[0])
+        assertEquals("1 input: 1 ok, 0 differ, 0 failed, 0 errors; 1 picture, 0 of them blank", lines[1])
     }
 
     @Test
@@ -153,11 +169,12 @@ class CompareSeveralTest {
         val wedge = folder.wedge()
         withRenderers(folder, WrongDepthRenderer::class.java.name) {
             val run = compare(wedge, folder.resolve("none.obj"), "--views", "top,iso")
-            assertEquals(ExitCode.DIFFERENT to "", run.code to run.errors)
+            assertEquals(ExitCode.DIFFERENT, run.code)
+            assertEquals("zcli: error: ${folder.resolve("none.obj")}: no such file\n", run.errors)
             val line = "differs  $wedge: top: wrong-depth differs from tiled at 1 of 1,200 pixels, " +
                 "first at column 20, row 15"
             assertEquals(line, run.lines()[0])
-            assertTrue("2 inputs: 0 ok, 1 differ, 0 failed, 1 errors; 2 pictures" in run.text, run.text)
+            assertTrue("2 inputs: 0 ok, 1 differs, 0 failed, 1 error; 2 pictures" in run.text, run.text)
             val json = compare(wedge, "teapot", "--json")
             assertEquals(listOf("false", "false"), json.lines().dropLast(1).map { statIn(it, "identical") })
         }

@@ -12,10 +12,12 @@ import dev.lazyz.cli.StutteringRenderer
 import dev.lazyz.cli.UnbornRenderer
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.rendererJar
+import dev.lazyz.cli.wedge
 import dev.lazyz.cli.zcli
 import java.nio.file.Path
 import java.util.concurrent.locks.LockSupport
 import kotlin.concurrent.thread
+import kotlin.io.path.createDirectory
 import kotlin.io.path.createTempFile
 import kotlin.io.path.deleteIfExists
 import kotlin.io.path.exists
@@ -78,7 +80,8 @@ class ConformanceTest {
 
         // The command shows the same failure
         val again = judge(*command.split(" ").drop(2).toTypedArray())
-        fun failure(text: String) = text.substringAfter("FAILED").substringBefore("reproduce")
+        fun failure(text: String) =
+            text.substringAfter("FAILED").substringBefore("reproduce").substringBefore("scene file")
         assertEquals(failure(run.text), failure(again.text))
     }
 
@@ -116,6 +119,7 @@ class ConformanceTest {
         assertTrue("conforms: 1 rule, 1 waived" in run.text, run.text)
         file.writeText(block.replace("link", "lnik"))
         judge(*words, "--waivers", file).mistake("waivers.txt:3: expected 'rule:'")
+        judge(*words, "--waivers", "none").mistake("cannot read the waivers file none: there is no such file\n")
     }
 
     @Test
@@ -136,6 +140,7 @@ class ConformanceTest {
         judge("--verify", file, "--seed", "1").mistake("--verify takes seed, tries, rules and waivers")
         file.writeText("{}")
         judge("--verify", file).mistake("report.json is no report.json of the conformance suite")
+        judge("--verify", "none.json").mistake("the report none.json cannot be read: there is no such file\n")
     }
 
     @Test
@@ -144,7 +149,7 @@ class ConformanceTest {
         val frames = folder.resolve("frames")
         val rule = "rule_7_1_userFramesAreDrawnCorrectly"
         val words = arrayOf("--strategy", "zbuffer", "--rule", rule, "--frames", frames)
-        assertTrue("0 frames, of which" in conformance(*words).done().text)
+        assertTrue("0 frames, of which" in conformance(*words).text)
         frames.resolve("mine.obj").writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         assertTrue("2 frames, of which" in conformance(*words).done().text)
         frames.resolve("bad.json").writeText("{")
@@ -297,6 +302,12 @@ class ConformanceTest {
         val rule = "rule_7_3_rowsArriveInOrderEachOnce"
         val run = judge("--strategy", "stuttering", "--classpath", jar, "--rule", rule, "--seed", "3")
         assertTrue("zcli conformance --strategy stuttering --classpath '$jar' --seed 3" in run.text, run.text)
+
+        // So is everything else that means something to a shell
+        val odd = jar(StutteringRenderer::class.java, name = "it's\$x&y.jar")
+        val other = judge("--strategy", "stuttering", "--classpath", odd, "--rule", rule, "--seed", "3")
+        val quoted = "'" + "$odd".replace("'", "'\\''") + "'"
+        assertTrue("zcli conformance --strategy stuttering --classpath $quoted --seed 3" in other.text, other.text)
     }
 
     @Test
@@ -332,12 +343,45 @@ class ConformanceTest {
         val jar = jar(FickleRenderer::class.java)
         val corpus = folder.resolve("corpus")
         val words = arrayOf("--against", "zbuffer", "--corpus", corpus, "--minutes")
-        val same = conformance("--strategy", "hierarchical", *words, "0.01").done()
+        val same = zcli("conformance", "--strategy", "hierarchical", *words, "0.01").done()
         assertTrue("hierarchical against zbuffer: " in same.text && "no picture differs" in same.text, same.text)
         assertTrue(corpus.resolve("recipes.txt").exists())
-        val other = conformance("--strategy", "fickle", "--classpath", jar, *words, "0.05")
+        val other = zcli("conformance", "--strategy", "fickle", "--classpath", jar, *words, "0.05")
         assertEquals(1, other.code)
         assertTrue(Regex("against zbuffer: .* differs?; ") in other.text, other.text)
+    }
+
+    @Test
+    fun whatHasNoEffectWithAgainstIsRefused() {
+        val against = arrayOf<Any>("conformance", "--strategy", "lazy", "--against", "zbuffer", "--minutes", "0.01")
+        val report = folder.resolve("report")
+        val words = mapOf(
+            "--explore" to null, "--tries" to "2", "--rule" to "5.2", "--waivers" to "none.txt", "--frames" to "none",
+            "--verify" to "none.json", "--report" to report, "--deadline" to "3", "--in-process" to null,
+            "--quiet" to null, "--json" to null,
+        )
+        for ((option, value) in words) {
+            zcli(*against, option, *listOfNotNull(value).toTypedArray()).mistake("$option has no effect with --against")
+        }
+        assertFalse(report.exists())
+    }
+
+    @Test
+    fun framesOfOnesOwnAreCounted() {
+        val frames = folder.resolve("frames")
+        val rule = "rule_7_1_userFramesAreDrawnCorrectly"
+        val words = arrayOf<Any>("--tries", "0.05", "--strategy", "zbuffer", "--rule", rule, "--frames", frames)
+        for (where in listOf(arrayOf("--in-process"), arrayOf("--in-process", "--quiet"))) {
+            val first = zcli("conformance", *where, *words)
+            assertEquals(ExitCode.DONE, first.code, first.errors)
+            assertTrue("zcli: warning: --frames: there was no folder $frames" in first.errors, first.errors)
+            assertTrue(frames.toFile().list().isNullOrEmpty())
+            assertTrue("zcli: warning: --frames: no scene file" in zcli("conformance", *where, *words).errors)
+            frames.toFile().delete()
+        }
+        folder.resolve("frames").createDirectory().wedge()
+        assertTrue("1 frame of your own in $frames\n" in zcli("conformance", "--in-process", *words).errors)
+        assertEquals("", conformance(*words.drop(2).toTypedArray()).done().errors)
     }
 
     @Test

@@ -115,6 +115,8 @@ class DiffTest {
         val missing = folder.resolve("missing.png")
         val text = folder.resolve("text.png").apply { writeText("text") }
         zcli("diff", good, missing).mistake("$missing: there is no such file")
+        zcli("diff", "-", good).mistake("EXPECTED", "'-', standard input or output, is not possible here: name a file")
+        zcli("diff", good, "-").mistake("ACTUAL", "'-', standard input or output, is not possible here: name a file")
         zcli("diff", text, good).mistake("$text: it is no image that can be decoded")
         zcli("diff", good).mistake("ACTUAL")
         zcli("diff", good, good, "--diff", "where.jpg").mistake("--diff must end in .png")

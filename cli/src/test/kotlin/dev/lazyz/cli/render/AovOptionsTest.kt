@@ -123,7 +123,7 @@ class AovOptionsTest {
         mistake("a picture shows one AOV", options = listOf("--aov-picture", "all=${file("d.png")}"))
         mistake("positions have no range", "use .npy", options = listOf("--aov", "position=${file("p.png")}"))
         val data = "depth=${file("d.npy")}"
-        mistake("must be different files", options = listOf("--aov", data, "--aov", data))
+        mistake("--aov $data is given twice\n", options = listOf("--aov", data, "--aov", data))
         mistake("'depth' is named twice", options = listOf("--aov", "depth,uv,DEPTH=${file("d.npz")}"))
         mistake("there is no folder", options = listOf("--aov", "depth=${file("no/d.pfm")}"))
         val picture = file("picture.png")

@@ -48,6 +48,28 @@ class CameraOptionsTest {
 
     private fun hash(input: Any, vararg words: String): String = render(input, *words).done().stat("pixelHash")
 
+    @Test
+    fun aModelWithoutCamerasIsShownAsAWholeWithAWarning() {
+        val run = render(folder.wedge(), "--camera", "scene")
+        assertTrue("zcli: warning: --camera scene: $folder/wedge.obj has no camera" in run.errors, run.errors)
+        assertEquals(hash(folder.wedge()), run.stat("pixelHash"))
+        assertEquals("", render(folder.wedge(), "--camera", "fit").errors)
+        for (input in listOf(cameras, "teapot")) assertEquals("", render(input, "--camera", "scene").errors)
+    }
+
+    @Test
+    fun theCameraOfEachViewIsPrintedWithItsName() {
+        val names = listOf("iso", "top")
+        val words = arrayOf<Any>("--views", names.joinToString(","), "--print-camera", "--size", "8")
+        val render = zcli("render", folder.wedge(), "plane", "-o", folder.resolve("{stem}_{view}.png"), *words)
+        val all = listOf("wedge", "plane").flatMap { input -> names.map { "$input $it" } }
+        assertEquals(all, render.errors.trim().lines().map { it.substringBefore(": --projection=") })
+        val compare = zcli("compare", folder.wedge(), *words, "--strategy", "zbuffer")
+        assertEquals(names, compare.errors.trim().lines().map { it.substringBefore(": --projection=") })
+        val single = render(folder.wedge(), "--print-camera").errors
+        assertTrue(single.startsWith("--projection="), single)
+    }
+
     @ParameterizedTest
     @ValueSource(
         strings = [
@@ -102,7 +124,6 @@ class CameraOptionsTest {
         assertEquals(4, listOf("fit", "0", "1").map { hash(cameras, "--camera", it) }.plus("").distinct().size)
         assertEquals(hash("plane"), hash("plane", "--camera", "scene"))
         assertNotEquals(hash("plane"), hash("plane", "--camera", "fit"))
-        assertEquals(hash(folder.wedge()), hash(folder.wedge(), "--camera", "scene"))
     }
 
     @Test

@@ -54,6 +54,17 @@ class ColorOptionsTest {
         picture(input, "--shading", "constant", "--view", "front", *words).argb().map { "%08x".format(it) }.toSet()
 
     @Test
+    fun transparencyThatAFileLosesCausesAWarning() {
+        fun errors(name: String, vararg words: String): String =
+            zcli("render", square, "-o", "$folder/$name", "--size", "8", *words).errors
+        val clear = arrayOf("--background", "transparent")
+        val warning = "a .ppm file has no alpha: what is transparent is written as opaque; use .png\n"
+        assertEquals("zcli: warning: $warning", errors("a.ppm", *clear))
+        assertEquals("zcli: warning: square iso: $warning", errors("{view}.ppm", "--views", "iso", *clear))
+        assertEquals("", errors("a.ppm") + errors("a.png", *clear) + errors("a.dzi", *clear))
+    }
+
+    @Test
     fun aColorReplacesThoseOfTheModel() {
         assertTrue(colors(square).size > 20)
         assertEquals(setOf("ff663399", "ffffffff"), colors(square, "--color", "rebeccapurple"))

@@ -43,8 +43,8 @@ class LimitsTest {
     fun timesAreWholeMilliseconds() {
         val file = folder.resolve("a.obj")
         file.writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n".repeat(100_000))
-        zcli("render", file, "--max-seconds", 0.0001, "-o", out).mistake("takes more than 1 ms to read")
-        zcli("render", file, "--max-seconds", 0, "-o", out).mistake("takes more than 0 ms to read")
+        zcli("render", file, "--max-seconds", 0.0001, "-o", out).mistake("takes more than 0.001 s to read")
+        zcli("render", file, "--max-seconds", 0, "-o", out).mistake("takes more than 0 s to read")
     }
 
     /** Many layers that cover the picture take minutes, although the file is small. */
@@ -56,7 +56,7 @@ class LimitsTest {
                 List(2_000) { "0, 1, 2" }.joinToString() +
                 """]}, "material": {"baseColor": [1, 0.5, 0.2, 0.01], "alphaMode": "blend"}}]}""",
         )
-        val message = "layers.json: takes more than 2000 ms to read and render; raise --max-seconds"
+        val message = "layers.json: takes more than 2 s to read and render; raise --max-seconds"
         val limit = arrayOf<Any>("--max-seconds", 2)
         val start = System.nanoTime()
         zcli("render", scene, *limit, "-o", out).mistake(message)

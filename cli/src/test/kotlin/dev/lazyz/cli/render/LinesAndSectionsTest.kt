@@ -63,7 +63,6 @@ class LinesAndSectionsTest {
         assertNotEquals(whole, half)
         assertEquals(half, picture("--view", "top", "--cut", "x=50%"))
         assertEquals(half, picture("--view", "top", "--cut", "2,0,0,0"))
-        assertEquals(whole, picture("--view", "top", "--cut", "x=100%", "--cut=-y=0%"))
         assertNotEquals(half, picture("--view", "top", "--cut", "-x=0"))
         assertTrue(0xFFCC3333.toInt() in picture("--cut", "z=0", "--cap-color", "c33", "--shading", "constant"))
 
@@ -72,6 +71,28 @@ class LinesAndSectionsTest {
             picture("--up", "z", "--view", "top", "--cut", "z=0.2", "--style", "technical"),
             picture("--up", "z", "--view", "top", "--cut", "0,0,1,0.2", "--style", "technical"),
         )
+    }
+
+    @Test
+    fun aPlaneThatRemovesNothingCausesAWarning() {
+        fun errors(vararg cuts: String): String {
+            val run =
+                zcli(
+                    "render", flange, "-o", "-", "--size", "40x30",
+                    *cuts.flatMap {
+                        listOf("--cut", it)
+                    }.toTypedArray()
+                )
+            return run.errors.also { assertEquals(0, run.code, it) }
+        }
+        val whole =
+            arrayOf("render", flange, "-o", "-", "--size", "60x50", "--aa", "1", "--cut", "x=100%", "--cut=-y=0%")
+        assertEquals(picture(), zcli(*whole).image.argb())
+        for (cut in listOf("x=150%", "-y=-1%", "Z=100%", "1,1,0,1000")) {
+            assertEquals("zcli: warning: --cut $cut removes nothing: the input is on the other side\n", errors(cut))
+        }
+        val one = errors("x=50%", "x=150%")
+        assertTrue(Regex("removes nothing").findAll(one).count() == 1 && "--cut x=150% removes" in one) { one }
     }
 
     @Test
@@ -86,6 +107,8 @@ class LinesAndSectionsTest {
         fun mistake(text: String, vararg args: String) = zcli("render", flange, "-o", "-", *args).mistake(text)
         mistake("--edge-width needs --edges", "--edge-width", "2")
         mistake("--hidden-lines needs --edges", "--hidden-lines", "solid")
+        mistake("--crease-angle needs --edges or --style technical", "--crease-angle", "20")
+        mistake("--crease-angle has no effect with --wireframe", "--wireframe", "--crease-angle", "20")
         mistake("--wireframe contains", "--edges", "--wireframe")
         mistake("--cap-color needs --cut", "--cap-color", "f00")
         mistake("--edge-color must be opaque", "--edges", "--edge-color", "ff000080")

@@ -36,6 +36,12 @@ class OpaqueTest {
         "positions": [-1, -1, $z, 1, -1, $z, 1, 1, $z, -1, 1, $z], "triangles": [0, 1, 2, 0, 2, 3], $members},
         "material": {"alphaMode": "blend", $material}}"""
 
+    @Test
+    fun blendingNeedsTranslucentMaterials() {
+        val blend = arrayOf("--opaque", "--select", "blend", "-o", "x.png")
+        zcli("render", "teapot", *blend).mistake("--select blend has no effect with --opaque")
+    }
+
     /** The picture is that of the frame with all its primitives made opaque. */
     @Test
     fun materialsTexturesVerticesAndShadersAreOpaque() {

@@ -92,7 +92,7 @@ class RenderMistakesTest {
             "--stats=xml|--stats=json|'xml' is not one of table, json",
             "--sise|4x4|no such option --sise. Did you mean --size?",
             "--depth-out|depth.png|--depth-out must end in .pfm",
-            "--depth-out|-|--depth-out must end in .pfm",
+            "--depth-out|-|'-', standard input or output, is not possible here: name a file",
         ],
     )
     fun valuesOutOfRange(option: String, value: String, message: String) {
@@ -110,6 +110,12 @@ class RenderMistakesTest {
     fun inputs() {
         val out = arrayOf("-o", folder.resolve("x.png"))
         zcli("render", folder.resolve("none.obj"), *out).mistake("none.obj: no such file")
+        zcli("render", "teapot", "--format", "obj", *out)
+            .mistake("teapot: no such file; with --format, INPUT is always a file")
+        for (option in listOf("--ref", "--texture", "--matcap")) {
+            zcli("render", "teapot", option, "-", *out)
+                .mistake(option, "'-', standard input or output, is not possible here")
+        }
         zcli("render", folder, *out).mistake("has no models or scene files")
         folder.wedge()
         zcli("trace", folder, *out).mistake("is a folder, and this command takes one file")
@@ -121,7 +127,7 @@ class RenderMistakesTest {
         Files.delete(folder.resolve("wedge.xyz"))
         zcli("render", "-", *out).mistake("specify the format of standard input", "--format obj|stl|ply")
         zcliReading(WEDGE, "render", "-", "--format", "obj").mistake("specify the output file: -o")
-        zcli("render", "two", "inputs", *out).mistake("two pictures would be written to", "{stem}")
+        zcli("render", "teapot", "city", *out).mistake("two pictures would be written to", "{stem}")
         zcli("render", "nul\u0000.obj", *out).mistake("not a file name")
         render(*out).done()
     }

@@ -66,6 +66,10 @@ class ReportTest {
         val stats =
             zcli("render", "city", "--size", "40x30", "--aa", "1", "-o", folder.resolve("r.png"), "--stats=json")
         val hash = stats.stat("pixelHash")
+        val one = arrayOf<Any>("--size", 1, "--strategy", "lazy", "--repeat", 1)
+        val only = zcli("report", "plane", "-o", folder.resolve("one.html"), *one).done().text
+        assertTrue(only.startsWith("Only one strategy, so nothing was compared; 1 pixel, pixel hash "), only)
+        assertTrue("plane: one picture, 1 order of evaluation<" in folder.resolve("one.html").readText())
         val proof = "Identical: all 10 strategies give the same bits at all 1,200 pixels, pixel hash $hash"
         assertEquals("$proof\n", run.text)
         val page = page()

@@ -20,7 +20,7 @@ class ContactSheetTest {
     @TempDir
     lateinit var folder: Path
 
-    private val out by lazy { folder.resolve("new/sheet.png") }
+    private val out by lazy { folder.resolve("sheet.png") }
 
     @Test
     fun cellsAreThePicturesOfSingleRuns() {

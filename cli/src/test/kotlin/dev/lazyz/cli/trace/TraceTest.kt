@@ -88,6 +88,18 @@ class TraceTest {
     }
 
     @Test
+    fun oneCallIsCountedInTheSingular() {
+        val text = trace("plane", "one.gif", "--size", "1", "--steps", "2").done().text
+        assertTrue("1 shading call, 0 of them discarded" in text, text)
+    }
+
+    @Test
+    fun transparencyThatAFilmLosesCausesAWarning() {
+        val run = trace("teapot", "t.gif", "--background", "transparent", "--steps", "2")
+        assertTrue("zcli: warning: a film has no alpha" in run.errors, run.errors)
+    }
+
+    @Test
     fun mistakesAreTold() {
         trace("city", "a.jpg").mistake("-o must end in .gif or .png or .apng")
         trace("city", "a.gif", "--strategy", "lasy").mistake("no strategy 'lasy'; did you mean 'lazy'?")
@@ -97,6 +109,7 @@ class TraceTest {
         trace("city", "a.gif", "--aa", "2").mistake("use --aa 1")
         trace("city", "a.gif", "--aa-filter", "mitchell", "--region", "9,9,9x9").mistake("--aa-filter box")
         trace("city", "a.gif", "--size", "262144").mistake("choose a smaller --size")
+        trace("city", "a.gif", "--steps", "1000", "--size", "4000").mistake("and a film may use half of the")
         trace("city", "a.gif", "--steps", "1").mistake("must be in 2..1000: 1")
         trace(file("none.obj"), "a.gif").mistake("none.obj")
         trace("city", "a.gif", "--strategy", "lazy", "--tile-size", "16").mistake("--tile-size")

@@ -16,7 +16,7 @@ import dev.lazyz.conformance.oracle.BlendedSample
  * all rows are equal. Immutable and thread safe.
  *
  * @param combs the primitives, in the order of submission, at different depths
- * @param what what there are many of, for messages
+ * @param what name of the repeated item, for messages
  */
 internal class Multitude private constructor(width: Int, height: Int, private val combs: List<Comb>, what: String) {
     val case: FrameCase = FrameCase(Frame(Raster(width, height), combs), "/* $what, on $width x $height samples */")
@@ -79,8 +79,8 @@ internal class Multitude private constructor(width: Int, height: Int, private va
         private const val DISTANCE = 1 shl 16
 
         /**
-         * A primitive of more than 2^14 spans in a row, before one that covers all of it. Not more of them, because
-         * renderers that query a primitive at each sample are correct, too.
+         * A primitive of more than 2^14 spans in a row, before one that covers all of it. One is enough: a correct
+         * renderer may query a primitive at each sample, which is slow.
          */
         fun ofSpans(): Multitude {
             val comb = Comb(WIDE, 1, 1, 2, DISTANCE, Rgba(0.8f, 0.2f, 0.5f), isTranslucent = false)

@@ -32,7 +32,7 @@ private class Veil(private val side: Int, private val depth: Int, private val co
 /**
  * Returns a frame of layers whose light just reaches the next 8-bit value at half of the samples, and just does not
  * reach it at the others: the least change of a sum changes the picture. The layer behind all others, seen through a
- * transmittance down to 10^-30, decides. Its light is the brighter the less of it is left.
+ * transmittance down to 10^-30, decides. The less of its light gets through, the brighter it is.
  */
 internal fun veils(salt: Long): FrameCase {
     val random = Random(salt)

@@ -6,12 +6,11 @@ import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.asOpaque
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.run.smallest
 import java.io.IOException
 import java.nio.file.Path
 import java.time.Duration
 import java.util.Random
-import kotlin.streams.asSequence
-import net.jqwik.api.Shrinkable
 import net.jqwik.api.sessions.JqwikSession
 
 /**
@@ -97,7 +96,8 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
             if (isNew) corpus.add(recipe)
         }
         val first = disagreement(recipe, frame.value()) ?: return null
-        val (case, disagreement) = smaller(recipe, frame, first)
+        val (whole, disagreement) = smallest(frame, first, MOST_STEPS) { disagreement(recipe, it) }
+        val case = rendered(recipe, whole)
         val who = "${expected.id} and ${actual.id} with ${recipe.options()}"
         val message = "$who: $disagreement\nin\n$case\nrecipe $recipe"
         corpus.addDifference(recipe, case, message)
@@ -124,23 +124,6 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
         val blend = listOf(expected, actual).all { Capability.TRANSPARENCY in it.capabilities }
         val case = recipe.finish(whole)
         return if (blend || !case.frame.hasTranslucency) case else case.asOpaque()
-    }
-
-    /** Returns the smallest frame found in a limited number of steps for which they differ, and the difference. */
-    private fun smaller(recipe: Recipe, frame: Shrinkable<FrameCase>, first: String): Pair<FrameCase, String> {
-        var best = frame
-        var disagreement = first
-        var steps = 0
-        do {
-            val before = best
-            for (candidate in best.shrink().asSequence()) {
-                if (++steps > MOST_STEPS) break
-                disagreement = disagreement(recipe, candidate.value()) ?: continue
-                best = candidate
-                break
-            }
-        } while (best !== before && steps <= MOST_STEPS)
-        return rendered(recipe, best.value()) to disagreement
     }
 
     private class Known(val recipe: Recipe, val traits: Set<String>)

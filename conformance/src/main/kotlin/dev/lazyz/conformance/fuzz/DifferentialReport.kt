@@ -1,5 +1,6 @@
 package dev.lazyz.conformance.fuzz
 
+import dev.lazyz.conformance.results.counted
 import java.util.Locale
 
 /**
@@ -33,8 +34,8 @@ public class DifferentialReport internal constructor(
             1 -> "1 picture differs"
             else -> "${differences.size} pictures differ"
         }
-        append("$actual against $expected: $frames frames, $remembered of them from the corpus, ")
-        append("$pairs pairs of traits; $verdict; ")
+        append("$actual against $expected: ${counted(frames, "frame")}, $remembered of them from the corpus, ")
+        append("${counted(pairs.toLong(), "pair")} of traits; $verdict; ")
         append("%.1f s\n".format(Locale.ROOT, milliseconds / 1000.0))
     }
 

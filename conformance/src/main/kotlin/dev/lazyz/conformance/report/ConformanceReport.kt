@@ -25,6 +25,7 @@ import java.nio.file.Path
  * @property waivers all given waivers, including those of rules that were not run
  * @property results the result of each rule that was run, ordered by number
  * @property milliseconds duration of the run
+ * @param isOnDisk whether the run has written the report to a folder
  */
 public class ConformanceReport internal constructor(
     public val strategy: StrategyInfo,
@@ -34,6 +35,7 @@ public class ConformanceReport internal constructor(
     private val command: String?,
     public val results: List<RuleResult>,
     public val milliseconds: Long,
+    private val isOnDisk: Boolean,
 ) {
     /** The suite's version, see [ConformanceVersions]. */
     public val suiteVersion: String get() = ConformanceVersions.SUITE
@@ -63,15 +65,17 @@ public class ConformanceReport internal constructor(
 
     /** Returns a shell command that repeats [rule] as in this run. */
     public fun commandFor(rule: SuiteRule): String {
-        val words = command ?: ("zcli conformance --strategy ${strategy.id}" + strategy.classPath())
+        val strategyId = ShellWords.quoted(strategy.id)
+        val words = command ?: ("zcli conformance --strategy $strategyId" + strategy.classPath())
         return "$words --seed $seed --tries ${plain(tries)} --rule ${rule.name}"
     }
 
     /**
      * Returns a summary for people: the verdict, the likely causes, the first failures with the beginning of their
-     * messages, a line per rule, and the verdict again. At most about 150 lines, however many rules are broken.
+     * messages, a line per rule, and the verdict again. At most about 150 lines, however many rules are broken. Names
+     * files of failures only if the run has written the report to a folder.
      */
-    public fun toText(): String = ReportText(this).text()
+    public fun toText(): String = ReportText(this, isOnDisk).text()
 
     /** Returns the whole report except pictures as JSON. `docs/conformance.md` describes the keys. */
     public fun toJson(): String = ReportJson(this).text()
@@ -132,7 +136,7 @@ public class StrategyInfo private constructor(
     )
 
     /** Returns the options with which `zcli` finds the class, with a leading blank; empty for built-in renderers. */
-    internal fun classPath(): String = if (place == null) "" else " --classpath ${quoted(place)}"
+    internal fun classPath(): String = if (place == null) "" else " --classpath ${ShellWords.quoted(place)}"
 
     override fun toString(): String = "$id ($className, version $version)"
 
@@ -149,7 +153,5 @@ public class StrategyInfo private constructor(
             else -> type.protectionDomain?.codeSource?.location?.takeIf { it.protocol == "file" }
                 ?.let { File(it.toURI()).path }
         }
-
-        fun quoted(word: String): String = if (word.any { it.isWhitespace() }) "'$word'" else word
     }
 }

@@ -24,7 +24,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
         if (Files.list(failures).use { it.findAny().isEmpty }) Files.delete(failures)
 
         // Write the summaries last: they show that the report is complete
-        write(folder.resolve("report.txt"), report.toText())
+        write(folder.resolve("report.txt"), ReportText(report, isOnDisk = true).text())
         write(folder.resolve("report.json"), report.toJson())
         write(folder.resolve("TEST-lazyz-conformance.xml"), report.toJUnitXml())
         write(folder.resolve("report.html"), report.toHtml())

@@ -6,11 +6,12 @@ import dev.lazyz.conformance.results.RuleFailure
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.RuleResult
 import dev.lazyz.conformance.results.SuiteRule
+import dev.lazyz.conformance.results.counted
 import dev.lazyz.conformance.rules.ConformanceVersions
 import java.util.Locale
 
-/** A report for a terminal. */
-internal class ReportText(private val report: ConformanceReport) {
+/** A report for a terminal. If it [isOnDisk], files of failures are next to it. */
+internal class ReportText(private val report: ConformanceReport, private val isOnDisk: Boolean = false) {
     fun text(): String = buildString {
         appendLine(verdict())
         diagnosis()
@@ -76,7 +77,7 @@ internal class ReportText(private val report: ConformanceReport) {
         if (failure != null && failure.message != result.message) message(failure.message, result.rule)
         if (result.rule.intent.isNotEmpty()) appendLine("  why         ${result.rule.intent}")
         if (result.rule.look.isNotEmpty()) appendLine("  look at     ${result.rule.look}")
-        if (failure?.code != null) appendLine("  scene file  ${sceneFile(failure, result.rule)}")
+        if (isOnDisk && failure?.code != null) appendLine("  scene file  ${sceneFile(failure, result.rule)}")
         appendLine("  reproduce   ${report.commandFor(result.rule)}")
     }
 
@@ -85,10 +86,9 @@ internal class ReportText(private val report: ConformanceReport) {
         val lines = message.lines()
         for (line in lines.take(MOST_LINES)) appendLine("    ${shortened(line)}")
         val rest = lines.size - MOST_LINES
-        if (rest >
-            0
-        ) {
-            appendLine("    (${counted(rest.toLong(), "more line")}; see failures/$rule.kt of a report on disk)")
+        if (rest > 0) {
+            val place = if (isOnDisk) "; see failures/$rule.kt" else ""
+            appendLine("    (${counted(rest.toLong(), "more line")}$place)")
         }
     }
 
@@ -101,7 +101,7 @@ internal class ReportText(private val report: ConformanceReport) {
     }
 
     private fun sceneFile(failure: RuleFailure, rule: SuiteRule): String =
-        if (failure.sceneFile == null) NO_SCENE_FILE else "failures/$rule.json, where the report is on disk"
+        if (failure.sceneFile == null) NO_SCENE_FILE else "failures/$rule.json"
 
     private fun StringBuilder.rules() {
         val words = report.results.maxOfOrNull { it.outcome.words.length } ?: 0
@@ -128,8 +128,6 @@ internal class ReportText(private val report: ConformanceReport) {
         for (trait in FrameTrait.entries) appendLine("${"${all.count(trait)}".padStart(8)}  ${trait.words}")
         if (all.unexamined > 0) appendLine("${"${all.unexamined}".padStart(8)}  not looked at")
     }
-
-    private fun counted(number: Long, thing: String): String = if (number == 1L) "1 $thing" else "$number ${thing}s"
 
     companion object {
         /** Number of failures that are described in detail; the others get one line. */

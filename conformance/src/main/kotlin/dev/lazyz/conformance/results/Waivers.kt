@@ -93,7 +93,7 @@ public class Waivers private constructor(public val all: List<Waiver>) {
         public fun read(path: Path): Waivers = try {
             parse(Files.readString(path), path.toString())
         } catch (e: IOException) {
-            throw WaiversException("cannot read the waivers file $path: ${e.message}", e)
+            throw WaiversException("cannot read the waivers file $path: ${reason(e)}", e)
         }
 
         /**

@@ -166,8 +166,8 @@ public sealed interface PictureRules : RulesForOne {
     /** A renderer without transparency rejects a translucent primitive before it delivers a row. */
     @Rule(
         intent = "An error is better than a wrong picture without notice.",
-        look = "Check Frame.hasTranslucency before the first row, and throw an IllegalArgumentException that names " +
-            "the reason.",
+        look = "Check Frame.hasTranslucency before the first row, and throw an IllegalArgumentException whose " +
+            "message has the primitive's index and the remedy.",
         about = [Symptom.TRANSLUCENT],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)

@@ -16,7 +16,8 @@ internal object KeptFailure {
      */
     fun of(test: AllRules, settings: Settings, failed: RuleResult): String {
         val failure = checkNotNull(failed.failure)
-        val report = settings.report(StrategyInfo(test.renderer()), null, listOf(failed), failed.milliseconds)
+        val judged = StrategyInfo(test.renderer())
+        val report = settings.report(judged, null, listOf(failed), failed.milliseconds, isOnDisk = false)
         val folder = folder().resolve(test.javaClass.simpleName)
         val kept = try {
             Files.createDirectories(folder)

@@ -2,6 +2,7 @@ package dev.lazyz.conformance.run
 
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.results.RuleResult
+import dev.lazyz.conformance.results.reason
 import dev.lazyz.conformance.rules.UseRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormat
@@ -9,6 +10,7 @@ import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
 import java.io.IOException
 import java.nio.file.Files
+import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.name
@@ -23,15 +25,17 @@ internal class OwnFrames(private val folder: Path) {
     /**
      * A frame for each file with the extension of a scene format, ordered by name. Other files and folders are ignored.
      */
-    val cases: List<FrameCase> by lazy { files().map { case(it) } }
+    val cases: List<FrameCase> by lazy {
+        create()
+        files(folder).map { case(it) }
+    }
 
-    private fun files(): List<Path> = try {
-        Files.createDirectories(folder)
-        Files.list(folder).use { paths ->
-            paths.filter { it.isRegularFile() && SceneFormat.ofFileName(it.name) != null }.sorted().toList()
+    private fun create() {
+        try {
+            Files.createDirectories(folder)
+        } catch (e: IOException) {
+            throw FramesException("the frames folder $folder cannot be created: ${reason(e)}", e)
         }
-    } catch (e: IOException) {
-        throw FramesException("the frames folder $folder cannot be read: $e", e)
     }
 
     private fun case(path: Path): FrameCase = try {
@@ -53,11 +57,27 @@ internal class OwnFrames(private val folder: Path) {
         try {
             Files.writeString(folder.resolve(name), scene)
         } catch (e: IOException) {
-            throw FramesException("the frames folder $folder cannot be written: $e", e)
+            throw FramesException("the frames folder $folder cannot be written: ${reason(e)}", e)
         }
     }
 
     companion object {
+        /**
+         * Returns the files in [folder] with the extension of a scene format, ordered by name; none if there is no such
+         * folder.
+         *
+         * @throws FramesException if the folder cannot be read
+         */
+        fun files(folder: Path): List<Path> = try {
+            Files.list(folder).use { paths ->
+                paths.filter { it.isRegularFile() && SceneFormat.ofFileName(it.name) != null }.sorted().toList()
+            }
+        } catch (_: NoSuchFileException) {
+            emptyList()
+        } catch (e: IOException) {
+            throw FramesException("the frames folder $folder cannot be read: ${reason(e)}", e)
+        }
+
         /** Size of frames whose file has none. */
         private val USUAL_SIZE = ImageSize(64, 48)
 

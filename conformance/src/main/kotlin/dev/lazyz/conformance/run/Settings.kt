@@ -9,15 +9,6 @@ import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.Waivers
 import java.nio.file.Path
 import java.time.Duration
-import net.jqwik.api.ShrinkingMode
-
-/** Whether a frame that fails is shrunk. */
-internal enum class Shrinking(val mode: ShrinkingMode) {
-    /** With a limited number of steps. */
-    ON(ShrinkingMode.FULL),
-
-    OFF(ShrinkingMode.OFF),
-}
 
 /** How the suite is run. [seed] is null for the default one, and [deadline] applies to each rendering. */
 internal class Settings(
@@ -34,8 +25,9 @@ internal class Settings(
         command: String?,
         results: List<RuleResult>,
         milliseconds: Long,
+        isOnDisk: Boolean,
     ): ConformanceReport = ConformanceReport(
-        judged, seed ?: SuiteRule.fixedSeed, tries, waivers.all, command, results, milliseconds,
+        judged, seed ?: SuiteRule.fixedSeed, tries, waivers.all, command, results, milliseconds, isOnDisk,
     )
 
     companion object {

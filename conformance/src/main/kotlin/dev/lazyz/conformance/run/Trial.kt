@@ -21,7 +21,6 @@ import java.time.Duration
 import java.time.LocalDate
 import java.util.Collections
 import java.util.IdentityHashMap
-import java.util.concurrent.atomic.AtomicInteger
 import net.jqwik.api.lifecycle.PropertyExecutionResult
 import net.jqwik.api.lifecycle.PropertyExecutionResult.Status
 import net.jqwik.api.lifecycle.TryExecutionResult
@@ -50,12 +49,10 @@ internal class Trial(
 
     override val ownCases: List<FrameCase> get() = own?.cases.orEmpty()
 
-    private val stepsLeft = AtomicInteger(steps)
+    private val shrinking = ShrinkingLimit(steps, deadline.multipliedBy(DEADLINES_TO_SHRINK))
     private val census = Census()
     private val start = System.nanoTime()
     private val thread = TryThread(deadline)
-    private val patience = deadline.multipliedBy(DEADLINES_TO_SHRINK)
-    private var shrinkingSince = 0L
     private val before = ArrayDeque<FrameCase>()
     private var isFlaky = false
     private val processEnd = journal?.endAt(rule)
@@ -94,7 +91,7 @@ internal class Trial(
         if (falsified == null) {
             census.add(case.frame, case.scene, how)
         } else {
-            stepsLeft.addAndGet(-case.frame.primitives.size / PRIMITIVES_OF_A_STEP)
+            shrinking.count(case.frame)
         }
     }
 
@@ -120,8 +117,8 @@ internal class Trial(
         if (result.isFalsified) {
             firstFailure = failure
             falsified = Falsified(parameters, failure ?: AssertionError("failed without a message"))
-            shrinkingSince = System.nanoTime()
-            if (isTooExpensiveToRepeat(failure)) stepsLeft.set(0)
+            shrinking.begin()
+            if (isTooExpensiveToRepeat(failure)) shrinking.end()
         } else {
             remember(parameters)
         }
@@ -136,7 +133,7 @@ internal class Trial(
         val message = "${lead}ended the process: ${end.words}$where"
         val failure = if (end.outcome == RuleOutcome.TIMED_OUT) TimedOut(message, null) else ProcessEnded(message)
         falsified = Falsified(parameters, failure)
-        stepsLeft.set(0)
+        shrinking.end()
         return TryExecutionResult.falsified(failure)
     }
 
@@ -145,7 +142,7 @@ internal class Trial(
      * failures.
      */
     private fun shrink(best: Falsified, parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
-        if (!isStepLeft()) throw ShrinkingEnds()
+        if (!shrinking.isStepLeft()) throw ShrinkingEnds()
         journal?.shrinks()
         val failure = answer(parameters, block).throwable().orElse(null)
         if (failure is TimedOut) throw ShrinkingEnds()
@@ -153,9 +150,6 @@ internal class Trial(
         falsified = Falsified(parameters, failure)
         return TryExecutionResult.falsified(firstFailure)
     }
-
-    private fun isStepLeft(): Boolean =
-        stepsLeft.getAndDecrement() > 0 && System.nanoTime() - shrinkingSince < patience.toNanos()
 
     /** Calls [block] in the try thread and catches all throwables. jqwik's own code stays in the calling thread. */
     private fun answer(parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
@@ -259,12 +253,6 @@ internal class Trial(
         /** A frame that fails in one of ten renderings fails in as many further ones with a probability of 1/1000. */
         private const val REPETITIONS = 3
 
-        /**
-         * Each multiple of this number of primitives counts as one more step, so that shrinking large frames takes
-         * fewer steps.
-         */
-        private const val PRIMITIVES_OF_A_STEP = 1000
-
         /** Limits shrinking by time, for tries that take seconds each. Usually the number of steps is the limit. */
         private const val DEADLINES_TO_SHRINK = 3L
 
@@ -285,12 +273,4 @@ internal class Trial(
             failure is TimedOut || failure is ProcessEnded || failure is OutOfMemoryError ||
                 failure?.cause is OutOfMemoryError
     }
-}
-
-/**
- * Ends jqwik's search for a smaller frame, which would otherwise visit many thousands of candidates even if none is
- * tried. An error, because jqwik treats an exception as another failure.
- */
-internal class ShrinkingEnds : Error("shrinking has ended") {
-    override fun fillInStackTrace(): Throwable = this
 }

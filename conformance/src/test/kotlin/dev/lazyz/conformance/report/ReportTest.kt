@@ -131,6 +131,17 @@ class ReportTest {
     }
 
     @Test
+    fun sceneFilesAreNamedWhereTheyAreOnDisk() {
+        val report = report(WrongColors(), nearest)
+        assertFalse("scene file" in report.toText(), report.toText())
+        val line = "  scene file  failures/$nearest.json\n"
+        report.writeTo(folder)
+        assertTrue(line in folder.resolve("report.txt").readText())
+        val written = Conformance { WrongColors() }.tries(0.2).rule(nearest).output(folder).run()
+        assertTrue(line in written.toText(), written.toText())
+    }
+
+    @Test
     fun sceneFileOfAFailureReproducesTheDifference() {
         val ties = BrokenRenderers.lastWinsTies()
         for ((rule, wrong) in mapOf("5.2" to ties, "7.4" to BrokenManners.regionOffsetTwice())) {
@@ -161,7 +172,7 @@ class ReportTest {
         val rule = report.results.single().rule
         assertFalse(folder.resolve("failures/$rule.json").exists())
         val words = "none: a scene file cannot express this frame"
-        assertTrue("scene file  $words\n" in report.toText(), report.toText())
+        assertTrue("scene file  $words\n" in folder.resolve("report.txt").readText(), report.toText())
         assertTrue("\n// scene file: $words\n" in folder.resolve("failures/$rule.kt").readText())
     }
 

@@ -1,0 +1,8 @@
+package dev.lazyz.cli.output
+
+/**
+ * Returns [number] with separators, and what it counts: [one] if the number is 1, otherwise [several]. `1 picture`,
+ * `1,200 pictures`.
+ */
+internal fun counted(number: Long, one: String, several: String = "${one}s"): String =
+    "%,d %s".format(null, number, if (number == 1L) one else several)
