@@ -9,6 +9,7 @@ import dev.lazyz.conformance.probes.threads.completesOrThrowsIfInterrupted
 import dev.lazyz.conformance.probes.threads.countsEachTileOnce
 import dev.lazyz.conformance.probes.threads.countsInACrowd
 import dev.lazyz.conformance.probes.threads.finishesIfWorkersAreInterrupted
+import dev.lazyz.conformance.probes.threads.leavesNoInterrupt
 import dev.lazyz.conformance.probes.threads.makesNoLateQueries
 import dev.lazyz.conformance.probes.threads.passesOnFailuresOfWorkers
 import dev.lazyz.conformance.probes.threads.rightInACrowd
@@ -62,6 +63,16 @@ public sealed interface WorkerRules : RulesForOne {
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_interruptedWorkersFinishTheirWork() {
         finishesIfWorkersAreInterrupted(renderer().configured(FOUR_THREADS))
+    }
+
+    /** Threads of the caller's executor are not interrupted when their task has ended. */
+    @Rule(
+        intent = "A thread of an executor belongs to its owner: after a task it is as it was before.",
+        look = "If a failed rendering interrupts its workers, clear the status of each when its work has ended.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_9_threadsOfAnExecutorAreNotLeftInterrupted() {
+        leavesNoInterrupt(renderer())
     }
 
     /** Threads of one rendering that work on the same sample, or query at the same time, lose nothing. */

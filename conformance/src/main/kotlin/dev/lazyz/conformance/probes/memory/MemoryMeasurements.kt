@@ -16,6 +16,10 @@ import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.ways
+import dev.lazyz.world.Camera
+import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.SetUp
+import org.joml.Vector3d
 
 // Memory is measured on the heap, because a renderer's own counters may be wrong. A violation holds several times the
 // allowed memory, and the allowed memory is several times the usual noise.
@@ -200,18 +204,47 @@ private val wide = listOf(0..<COMB_WIDTH to 0..<SIDE)
 private fun budgetOfHeavyPrimitives(renderer: StreamingRenderer) {
     val configured = renderer.configured(RenderOptions(memoryBudget = HEAVY_BUDGET, threads = 1)) as? StreamingRenderer
         ?: fail(renderer, "it takes primitives one by one, but not if it has a memory budget")
-    val held = {
-        Heap.most { measure ->
-            val drawing = configured.begin(Raster(HEAVY, 1))
-            repeat(HEAVY) { drawing.add(HeavyPrimitive(it, HEAVY_BYTES)) }
-            measure()
-            drawing.finish { _, _, _, _ -> }
+    for (kind in HeavyKind.entries) {
+        val held = {
+            Heap.most { measure ->
+                val drawing = configured.begin(Raster(HEAVY, 1))
+                repeat(HEAVY) { drawing.add(kind.primitive(it)) }
+                measure()
+                drawing.finish { _, _, _, _ -> }
+            }
+        }
+        Heap.requireAtMost(HEAVY_BUDGET + HEAVY_BUDGET / 4 + BUDGET_ALLOWANCE, held) {
+            fail(renderer, "the budget is $HEAVY_BUDGET bytes, but $HEAVY $kind of $HEAVY_BYTES bytes hold $it")
         }
     }
-    Heap.requireAtMost(HEAVY_BUDGET + HEAVY_BUDGET / 4 + BUDGET_ALLOWANCE, held) {
-        fail(renderer, "the budget is $HEAVY_BUDGET bytes, but $HEAVY primitives of $HEAVY_BYTES bytes hold $it")
-    }
 }
+
+/** What holds [HEAVY_BYTES] bytes, at least. */
+private enum class HeavyKind(private val words: String) {
+    PRIMITIVE("primitives") {
+        override fun primitive(column: Int): Primitive = HeavyPrimitive(column, HEAVY_BYTES)
+    },
+
+    /** The only triangle of a mesh of many vertices, which all its triangles share. */
+    MESH("meshes") {
+        override fun primitive(column: Int): Primitive {
+            val left = column.toFloat()
+            val positions = FloatArray(3 * VERTICES)
+            floatArrayOf(left, -1f, 0.5f, left + 2, -1f, 0.5f, left, 3f, 0.5f).copyInto(positions)
+            val normals = FloatArray(3 * VERTICES) { if (it % 3 == 2) -1f else 0f }
+            val mesh = Mesh(positions, intArrayOf(0, 1, 2), normals = normals)
+            return SetUp(Raster(HEAVY, 1), Camera.screen(), emptyList(), Vector3d()).mesh(mesh).first()
+        }
+    }, ;
+
+    /** Returns a primitive that covers sample [column]. */
+    abstract fun primitive(column: Int): Primitive
+
+    override fun toString(): String = words
+}
+
+/** Each takes 24 bytes, or more if it has attributes. */
+private const val VERTICES = 5000
 
 private const val HEAVY = 64
 private const val HEAVY_BYTES = 1 shl 17

@@ -1,6 +1,7 @@
 package dev.lazyz.conformance.probes.threads
 
 import dev.lazyz.Image
+import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.judgement.Judgement
@@ -8,12 +9,14 @@ import dev.lazyz.conformance.judgement.Recorder
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.Planted
 import dev.lazyz.conformance.probes.Question
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.changed
 import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.Executor
 import java.util.concurrent.atomic.AtomicBoolean
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.LockSupport
@@ -79,6 +82,43 @@ internal fun finishesIfWorkersAreInterrupted(renderer: Renderer) {
     Judgement(renderer, FrameCase(workers.frame, "$quiet, which interrupt other threads than the caller"))
         .equalsPictureOf(ReferenceRenderer())
 }
+
+/**
+ * Fails if a rendering that fails leaves a thread of the caller's executor interrupted. The caller's part fails while a
+ * worker waits to be interrupted, for a moment at most.
+ */
+internal fun leavesNoInterrupt(renderer: Renderer) {
+    val isLeft = AtomicBoolean()
+    val tasks = AtomicInteger()
+    val executor = Executor { task ->
+        tasks.incrementAndGet()
+        val thread = Thread {
+            task.run()
+            if (Thread.currentThread().isInterrupted) isLeft.set(true)
+            tasks.decrementAndGet()
+        }
+        thread.isDaemon = true
+        thread.start()
+    }
+    val configured = renderer.configured(RenderOptions(threads = 4, tileSize = 8, executor = executor))
+    repeat(ATTEMPTS) {
+        val workers = Workers(Thread.currentThread(), { throw Planted.EXCEPTION.make() }) {
+            val start = System.nanoTime()
+            while (!Thread.currentThread().isInterrupted && System.nanoTime() - start < BRIEF) Thread.onSpinWait()
+        }
+        answer { Rendering.of(configured, workers.frame) }
+        val start = System.nanoTime()
+        while (tasks.get() > 0 && System.nanoTime() - start < PATIENCE * MILLISECOND) Thread.yield()
+        if (isLeft.get()) {
+            fail(renderer, "a thread of the caller's executor is still interrupted when its task has ended")
+        }
+    }
+}
+
+private const val MILLISECOND = 1_000_000L
+
+/** Nanoseconds that a worker waits for an interrupt. */
+private const val BRIEF = 20_000_000L
 
 /** Milliseconds after which the rendering of a small frame counts as hanging. */
 private const val PATIENCE = 20_000L
