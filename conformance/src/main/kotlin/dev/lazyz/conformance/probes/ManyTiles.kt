@@ -38,8 +38,8 @@ private fun tallMesh(height: Int, random: Random): FrameCase {
 }
 
 /**
- * Frames of a few triangles, in random order, on rasters of very many rows, and of very many columns: one for each power
- * of two, so that all numbers of digits of numbers of tiles occur.
+ * Frames of a few triangles, in random order, on rasters of very many rows, and of very many columns: one for each
+ * power of two, so that numbers of tiles have all numbers of digits.
  */
 internal fun longRasters(salt: Long): List<FrameCase> {
     val random = Random(salt)

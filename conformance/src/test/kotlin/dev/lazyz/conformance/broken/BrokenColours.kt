@@ -59,6 +59,17 @@ object BrokenColours {
         LazyZBuffer(options).render(frame, sink).toBuilder().apply { longestChain = shadingSteps }.build()
     }
 
+    /** A surface without texture coordinates has those that are left in the fragment. */
+    fun keepsAttributes() = primitives("keeps-attributes") {
+        object : Primitive by it {
+            override fun shade(fragment: Fragment) {
+                fragment.u = 0.25f
+                fragment.v = 0.75f
+                it.shade(fragment)
+            }
+        }
+    }
+
     private class TwiceShaded(private val whole: Primitive) : Primitive by whole {
         override fun shade(fragment: Fragment) {
             val (x, y) = fragment.x to fragment.y

@@ -16,6 +16,7 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.util.concurrent.Executors
 import java.util.concurrent.ThreadLocalRandom
 import java.util.concurrent.atomic.AtomicLong
+import java.util.concurrent.atomic.AtomicReference
 
 /** Renderers that clean up only after a success, or only where few look. */
 internal object BrokenFailures {
@@ -24,6 +25,21 @@ internal object BrokenFailures {
         val name = thread.name
         thread.name = "rendering"
         ZBuffer().render(frame, sink).also { thread.name = name }
+    }
+
+    /** Interrupts its worker after a failure, and does not clear the worker's status. */
+    fun leavesInterrupts() = parallel("leaves-interrupts") { frame, sink, options ->
+        val worker = AtomicReference<Thread>()
+        options.executor?.execute {
+            worker.set(Thread.currentThread())
+            runCatching { ZBuffer().render(frame) }
+        }
+        try {
+            ZBuffer().render(frame, sink)
+        } catch (e: Throwable) {
+            worker.get()?.interrupt()
+            throw e
+        }
     }
 
     fun threadsAfterFailures() = BrokenRenderer("threads-after-failures") { frame, sink ->

@@ -2,6 +2,7 @@ package dev.lazyz.conformance.broken
 
 import dev.lazyz.Capability
 import dev.lazyz.Cell
+import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
@@ -42,6 +43,46 @@ object BrokenSizes {
         val kept = frame.primitives.map { Sifted(it) { x, _ -> x < second || it.columnStart >= second } }
         Frame(frame.raster, kept, frame.region)
     }
+
+    /** Takes a tile of 8 columns as covered by a wide primitive that ends just before its last column. */
+    fun coversItsTile() = painting("covers-its-tile") { image, frame ->
+        val first = image.region.columnStart
+        val primitive = image.primitive.copyOf()
+        val argb = image.argb.copyOf()
+        val depth = image.depth.copyOf()
+        for (i in argb.indices) {
+            val x = first + i % image.width
+            if (x % 8 != 7 || i % image.width == 0) continue
+            val front = frame.primitives.getOrNull(image.primitive[i - 1]) ?: continue
+            if (front.columnEnd != x || front.columnEnd - front.columnStart < WIDE) continue
+            argb[i] = frame.raster.background.toArgb()
+            depth[i] = frame.raster.backgroundDepth
+            primitive[i] = DepthTest.BACKGROUND
+        }
+        Image(image.region, argb, depth, primitive, image.counters)
+    }
+
+    private const val WIDE = 31
+
+    /** Stops at the first hidden primitive, although the order from near to far is a rough one. */
+    fun stopsAtTheFirstHidden() = drawing("stops-at-the-first-hidden") { frame ->
+        val order = frame.primitives.indices.sortedBy { frame.primitives[it].leastDepth ushr 23 }
+        var farthest = Int.MAX_VALUE
+        val drawn = order.takeWhile {
+            val primitive = frame.primitives[it]
+            val isVisible = primitive.leastDepth < farthest
+            if (isVisible && primitive.coversAll(frame)) farthest = minOf(farthest, primitive.greatestDepth)
+            isVisible || frame.raster.depthTest != DepthTest.LESS
+        }.toSet()
+        val kept = frame.primitives.mapIndexed { i, it -> if (i in drawn) it else Sifted(it) { _, _ -> false } }
+        Frame(frame.raster, kept, frame.region)
+    }
+
+    private fun Primitive.coversAll(frame: Frame): Boolean =
+        (frame.region.rowStart until frame.region.rowEnd).all { y ->
+            val spans = Spans(frame.region).also { spans(y, it) }
+            spans.count == 1 && spans.end(0) - spans.start(0) == frame.region.width
+        }
 
     fun sixteenSpans() = spans("sixteen-spans-in-a-row", 16)
 

@@ -29,6 +29,11 @@ internal object ColourGallery {
             "on ties, index and depth are right, but the colour is that of the other fragment",
             ties, tests,
         ),
+        Mutant(
+            BrokenColours::keepsAttributes,
+            "a surface without texture coordinates has those of another one",
+            RuleNames.oneShader,
+        ),
         Mutant(BrokenRenderers::shadesTheNeighbour, "shades the sample to the left", nearest, own),
         Mutant(BrokenColours::constantColour, "shades a column once, in the primitive's first row", nearest, own),
         Mutant(

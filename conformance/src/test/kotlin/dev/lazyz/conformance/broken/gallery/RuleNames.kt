@@ -98,6 +98,10 @@ internal object RuleNames {
     val held = RendererConformance::rule_8_1_peakBytesAreWhatIsHeld.name
     val sizes = RendererConformance::rule_7_1_framesOfManySizesAreIndependent.name
     val emptyRows = RendererConformance::rule_7_8_sinkMayOverwriteEmptyRows.name
+    val covered = RendererConformance::rule_2_2_wideTrianglesHideOnlyWhatTheyCover.name
+    val wall = RendererConformance::rule_5_1_trianglesCloseToAWallAreDrawnCorrectly.name
+    val oneShader = RendererConformance::rule_6_2_surfacesOfOneShaderHaveTheirOwnAttributes.name
+    val notInterrupted = RendererConformance::rule_7_9_threadsOfAnExecutorAreNotLeftInterrupted.name
     val manyTiles = RendererConformance::rule_1_1_thousandsOfTilesAreDrawnCorrectly.name
     val counted = RendererConformance::rule_7_10_primitivesOneByOneAreCounted.name
     val streamed = RendererConformance::rule_7_5_streamedFramesGiveTheSamePicture.name

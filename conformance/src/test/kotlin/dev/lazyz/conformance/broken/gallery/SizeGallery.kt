@@ -47,6 +47,16 @@ internal object SizeGallery {
             RuleNames.manyTiles,
         ),
         Mutant(
+            BrokenSizes::coversItsTile,
+            "a wide primitive covers its last tile, although it ends before the last column",
+            RuleNames.covered,
+        ),
+        Mutant(
+            BrokenSizes::stopsAtTheFirstHidden,
+            "primitives after the first hidden one are lost, in a rough order from near to far",
+            RuleNames.wall,
+        ),
+        Mutant(
             BrokenSizes::forgetsWhatBeganBefore,
             "a row is processed in pieces of a million fragments, and a piece lacks spans of the one before",
             RuleNames.millionOfARow,

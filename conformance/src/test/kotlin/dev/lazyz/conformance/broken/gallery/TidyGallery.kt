@@ -34,6 +34,11 @@ internal object TidyGallery {
             "another name for the calling thread if the rendering fails",
             RuleNames.tidy,
         ),
+        Mutant(
+            BrokenFailures::leavesInterrupts,
+            "an interrupt of the executor's thread if the rendering fails",
+            RuleNames.notInterrupted,
+        ),
         Mutant(BrokenFailures::threadsAfterFailures, "a thread for each rendering that fails", RuleNames.tidy),
         Mutant(BrokenFailures::keepsFailures, "some bytes for each rendering that fails", RuleNames.leaks),
         Mutant(BrokenFailures::keepsConfigured, "a renderer for each set of options", RuleNames.leaks),
