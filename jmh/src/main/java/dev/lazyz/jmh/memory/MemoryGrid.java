@@ -34,6 +34,11 @@ public final class MemoryGrid {
             List.of("--size", "3000x3000", "--aa", "1"),
             List.of("--size", "20000x400", "--aa", "1"));
 
+    /** Mebibytes; other strategies than the default one need more. */
+    private static final List<String> AMOUNTS = List.of("16", "32", "64", "128", "256");
+
+    private static final List<String> MORE = List.of("32", "64", "128", "256", "512", "1024");
+
     private final Path jar;
     private final List<String> javaOptions;
     private final int seconds;
@@ -53,9 +58,6 @@ public final class MemoryGrid {
 
     public static void main(String[] args) throws IOException, InterruptedException {
         Options options = new Options(args, Set.of("jar", "page", "memory", "java", "seconds", "formats", "tables"));
-        List<String> chosen = options.all("memory");
-        List<Integer> amounts = (chosen.isEmpty() ? List.of("16", "32", "64", "128", "256") : chosen)
-                .stream().map(Integer::valueOf).toList();
         Path folder = Files.createTempDirectory("memory-grid");
         MemoryGrid grid = new MemoryGrid(
                 Path.of(options.get("jar", "cli/target/zcli.jar")),
@@ -66,8 +68,16 @@ public final class MemoryGrid {
         try {
             Map<String, String> tables = new HashMap<>();
             for (String table : options.list("tables", "grid,strategies")) {
-                Map<String, List<String>> inputs = table.equals("grid") ? grid.inputs() : grid.strategies();
-                tables.put(table, grid.table(inputs, amounts));
+                boolean isGrid = table.equals("grid");
+                List<String> amounts = options.all("memory");
+                if (amounts.isEmpty()) {
+                    amounts = isGrid ? AMOUNTS : MORE;
+                }
+                tables.put(
+                        table,
+                        grid.table(
+                                isGrid ? grid.inputs() : grid.strategies(),
+                                amounts.stream().map(Integer::valueOf).toList()));
             }
             System.out.printf(
                     "%d rendered with the same hash, %d refused, %d failed%n",
