@@ -112,7 +112,6 @@ class PageCommandsTest {
             "docs/guides/desktop.md: source ~/" to "needs what is installed; examples/desktop/check reads the file",
             "docs/guides/services.md: examples/lambda/cold-start" to ".ci/run runs it",
             "docs/large-models.md: java -cp jmh" to MEASURES,
-            "docs/large-models.md: java .ci/LargePicture.java" to MEASURES,
             "docs/large-models.md: mvn" to MEASURES,
             "docs/large-pictures.md: java .ci/LargePicture.java" to MEASURES,
             "docs/memory.md: java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.memory.MemoryGrid" to MEASURES,

@@ -109,6 +109,7 @@ final class StageMap {
             strategies.tiled.resolve.VectorFragmentKernel.runEnd     RESOLVE
 
             setup.planar.PerspectiveWeights                          INTERPOLATE
+            setup.planar.TextureFootprint                            INTERPOLATE
             setup.planar.PlanarPrimitive                             INTERPOLATE
             shading.AttributedPrimitive                              INTERPOLATE
             shading.Vertices                                         CALLER
