@@ -1,6 +1,6 @@
 package dev.lazyz.drawing
 
-/** What happens to the parts of edges that a surface hides. */
+/** What happens to the parts of edges that a surface hides. `HiddenParts` finds these parts. */
 public enum class HiddenLines {
     /** They are not drawn. */
     NONE,

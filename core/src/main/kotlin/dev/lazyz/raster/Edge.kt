@@ -3,7 +3,7 @@ package dev.lazyz.raster
 /**
  * An edge on the 1/256 pixel grid, from one vertex to the next (contract rules 2.2 and 3.6).
  *
- * Coordinates are within the guard band, so products are exact in 64 bits.
+ * Coordinates are within the guard band, so products are exact in 64 bits. [isTopLeft] is the top-left rule.
  *
  * Source: Juan Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988.
  */

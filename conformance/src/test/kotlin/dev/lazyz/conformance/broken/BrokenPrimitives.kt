@@ -55,8 +55,6 @@ class AtDepth(private val primitive: Primitive, private val depth: Int) : Primit
 }
 
 /** Whether some row has a span. */
-fun Primitive.coversAnything(): Boolean {
-    val spans = Spans()
-    for (y in rowStart until rowEnd) spans(y, spans)
-    return spans.count > 0
+fun Primitive.coversAnything(): Boolean = (rowStart until rowEnd).any { y ->
+    Spans().also { spans(y, it) }.count > 0
 }

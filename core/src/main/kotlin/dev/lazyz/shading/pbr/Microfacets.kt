@@ -3,7 +3,8 @@ package dev.lazyz.shading.pbr
 import kotlin.math.sqrt
 
 /**
- * The reflection of rough surfaces: the functions D, V and F of glTF 2.0, appendix B.3, in single precision.
+ * The reflection of rough surfaces, with the distribution GGX: the functions D, V and F of glTF 2.0, appendix B.3, in
+ * single precision.
  *
  * Sources: T. Trowbridge and K. Reitz, "Average Irregularity Representation of a Rough Surface for Ray Reflection",
  * 1975; E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3 (2014); C. Schlick,

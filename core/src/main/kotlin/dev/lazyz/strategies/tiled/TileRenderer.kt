@@ -36,7 +36,7 @@ internal class TileRenderer(
     private val layers = TileLayers(keys, test, counters)
     private val spans = Spans(frame.region)
     private val drawing = FineRaster(keys, kernels.blocks(), counters)
-    private val batches = FrontToBackDrawing(content, test, keys, drawing, checkpoint)
+    private val batches = EarlyZDrawing(content, test, keys, drawing, checkpoint)
     private val forms = TriangleForms(test)
     private val shading = TileShading(frame, keys, layers, coherence, kernels.fragments(), counters, checkpoint)
     private var cursorBytes = 0L

@@ -31,7 +31,7 @@ internal class BandCoverages(private val frame: Frame, private val counters: Cou
     var bytes: Long = 0
         private set
 
-    /** Returns the coverage [number]. BandCoverages are in ascending order of their nearest possible keys. */
+    /** Returns the coverage [number]. Coverages are in ascending order of their nearest possible keys. */
     operator fun get(number: Int): BandCoverage = active[number]!!
 
     /** Moves to [band], which follows the last band. */

@@ -3,9 +3,9 @@ package dev.lazyz.world.material
 import kotlin.math.ceil
 
 /**
- * An image and its smaller copies: each level has half the width and height of the one before, rounded down, to one
- * texel. A texel of a level is the mean of the area of the level before that it covers, in linear light, weighted by
- * alpha, so that transparent texels give no colour. Thread safe; the levels are computed on first use.
+ * Mip-maps, an image and its smaller copies: each level has half the width and height of the one before, rounded down,
+ * to one texel. A texel of a level is the mean of the area of the level before that it covers, in linear light,
+ * weighted by alpha, so that transparent texels give no colour. Thread safe; the levels are computed on first use.
  *
  * @property image level 0
  */

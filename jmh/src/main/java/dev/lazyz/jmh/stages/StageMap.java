@@ -59,7 +59,7 @@ final class StageMap {
             raster.ReferenceTriangle                                 SET_UP
             raster.EdgeFunctions                                     SET_UP
             raster.Edge                                              CALLER
-            strategies.tiled.FrontToBackDrawing                      SET_UP
+            strategies.tiled.EarlyZDrawing                           SET_UP
             strategies.tiled.raster.FineRaster.begin                 SET_UP
             strategies.tiled.raster.ScalarBlockKernel.begin          SET_UP
             strategies.tiled.raster.VectorBlockKernel.begin          SET_UP

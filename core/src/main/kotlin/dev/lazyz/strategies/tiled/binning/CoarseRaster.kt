@@ -5,7 +5,7 @@ import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.strategies.tiled.raster.TileGrid
 
-/** The tiles of [area] that a triangle reaches. Reused for each triangle; belongs to one thread. */
+/** The coarse raster: the tiles of [area] that a triangle reaches. Reused for each triangle; belongs to one thread. */
 internal class CoarseRaster(private val area: BinArea, private val grid: TileGrid) {
     private var ax = 0
     private var ay = 0

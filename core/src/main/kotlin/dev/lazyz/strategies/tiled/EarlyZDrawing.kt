@@ -12,10 +12,10 @@ import dev.lazyz.strategies.tiled.raster.TriangleForms
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**
- * Draws the batches' triangles of one tile from near to far, so that hidden triangles can be rejected before they are
- * drawn. Belongs to one thread; reused for each tile.
+ * Early z: draws the batches' triangles of one tile from near to far, so that hidden triangles can be rejected before
+ * they are drawn. [FineRaster] rejects hidden blocks. Belongs to one thread; reused for each tile.
  */
-internal class FrontToBackDrawing(
+internal class EarlyZDrawing(
     private val content: FrameContent,
     private val test: DepthTest,
     private val keys: VisibilityBuffer,
