@@ -92,7 +92,7 @@ public class GroundShadow private constructor(
          * @param strength how dark the deepest shadow is, 0..1
          * @param options [RenderOptions.threads] and [RenderOptions.executor] are used, the others are not
          * @throws IllegalArgumentException if [strength] is out of range, or there is a problem with the scene, see
-         *   [AmbientOcclusion.problem]
+         *   [AmbientOcclusion.obstacle]
          */
         @JvmStatic
         @JvmOverloads
