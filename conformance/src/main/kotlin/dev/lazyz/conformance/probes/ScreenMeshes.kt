@@ -33,17 +33,17 @@ internal fun closeToAWall(salt: Long): FrameCase {
     val wall = 0.3f + 0.4f * random.nextFloat()
     val triangles = List(CLOSE) {
         val size = 5 + random.nextInt(20)
-        val x = random.nextInt(SIDE - size)
-        val y = random.nextInt(SIDE - size)
+        val x = random.nextInt(FEW - size)
+        val y = random.nextInt(FEW - size)
         val z = wall + (1 + random.nextInt(8)) * LITTLE * if (random.nextBoolean()) 1 else -1
         triangle(x, y, size, z)
     }
     val far = List(FAR) {
-        triangle(random.nextInt(SIDE - 8), random.nextInt(SIDE - 8), 8, if (random.nextBoolean()) 0.01f else 0.99f)
+        triangle(random.nextInt(FEW - 8), random.nextInt(FEW - 8), 8, if (random.nextBoolean()) 0.01f else 0.99f)
     }
-    val edge = 4f * SIDE
+    val edge = 4f * FEW
     val walls = listOf(listOf(-1f, -1f, wall, edge, -1f, wall, -1f, edge, wall))
-    return screenMesh(Raster(SIDE, SIDE), (triangles + far + walls).shuffled(random))
+    return screenMesh(Raster(FEW, FEW), (triangles + far + walls).shuffled(random))
 }
 
 private fun triangle(x: Int, y: Int, size: Int, z: Float): List<Float> =
@@ -99,12 +99,12 @@ internal fun surfacesOfOneShader(salt: Long): FrameCase {
     repeat(SURFACES) { builder.add(someSurface(random, Material(shader = shader))) }
     val scene = builder.build()
     // Without the scene: a scene file cannot express the shader
-    return FrameCase(scene.frame(SIDE, SIDE), "surfacesOfOneShader(${salt}L)")
+    return FrameCase(scene.frame(FEW, FEW), "surfacesOfOneShader(${salt}L)")
 }
 
 private fun someSurface(random: Random, material: Material): Mesh {
     val size = if (random.nextBoolean()) 3 + random.nextInt(4) else 20 + random.nextInt(60)
-    val triangle = triangle(random.nextInt(SIDE - size), random.nextInt(SIDE - size), size, random.nextFloat())
+    val triangle = triangle(random.nextInt(FEW - size), random.nextInt(FEW - size), size, random.nextFloat())
 
     fun some(count: Int): FloatArray? = if (random.nextBoolean()) FloatArray(count) { random.nextFloat() } else null
     val uvs = some(6)
@@ -119,11 +119,15 @@ private fun someSurface(random: Random, material: Material): Mesh {
     )
 }
 
+/** Sixteen tiles of 64, so that triangles can be wide. */
 private const val SIDE = 200
-private const val CLOSE = 150
-private const val FAR = 10
-private const val EDGES = 20
-private const val SURFACES = 40
+
+/** Nine tiles of 64. */
+private const val FEW = 136
+private const val CLOSE = 80
+private const val FAR = 6
+private const val EDGES = 16
+private const val SURFACES = 24
 private const val FAR_AWAY = 4000f
 
 /** A few units of the depths. */

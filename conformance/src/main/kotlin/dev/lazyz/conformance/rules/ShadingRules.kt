@@ -101,7 +101,7 @@ public sealed interface ShadingRules : RulesForOne {
             "not be.",
         about = [Symptom.COLOR],
     )
-    @Property(tries = 6, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 3, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_2_surfacesOfOneShaderHaveTheirOwnAttributes(@ForAll salt: Long) {
         Judgement(renderer(), surfacesOfOneShader(salt)).equalsReference()
     }
