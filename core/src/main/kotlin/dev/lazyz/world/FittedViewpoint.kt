@@ -98,30 +98,34 @@ public class FittedViewpoint internal constructor(
     }
 
     /** Returns this rule with another direction around the up axis, degrees. */
-    public fun withAzimuth(azimuth: Double): FittedViewpoint =
-        Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
+    public fun withAzimuth(azimuth: Double): FittedViewpoint = copy(azimuth = azimuth)
 
     /** Returns this rule with another direction above the horizon, degrees, -90..90. */
-    public fun withElevation(elevation: Double): FittedViewpoint =
-        Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
+    public fun withElevation(elevation: Double): FittedViewpoint = copy(elevation = elevation)
 
     /** Returns this rule with another zoom, above 0. */
-    public fun withZoom(zoom: Double): FittedViewpoint =
-        Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
+    public fun withZoom(zoom: Double): FittedViewpoint = copy(zoom = zoom)
 
     /** Returns this rule with another projection. */
-    public fun withKind(kind: Fit): FittedViewpoint = Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
+    public fun withKind(kind: Fit): FittedViewpoint = copy(kind = kind)
 
     /** Returns this rule with another margin, percent, 0 or more and below 50. */
-    public fun withMargin(margin: Double): FittedViewpoint =
-        Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
+    public fun withMargin(margin: Double): FittedViewpoint = copy(margin = margin)
 
     /**
      * Returns this rule with another vertical field of view, degrees, above 0 and at most
      * [Camera.MAX_FITTED_FIELD_OF_VIEW].
      */
-    public fun withFieldOfView(fieldOfView: Double): FittedViewpoint =
-        Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
+    public fun withFieldOfView(fieldOfView: Double): FittedViewpoint = copy(fieldOfView = fieldOfView)
+
+    private fun copy(
+        azimuth: Double = this.azimuth,
+        elevation: Double = this.elevation,
+        zoom: Double = this.zoom,
+        kind: Fit = this.kind,
+        margin: Double = this.margin,
+        fieldOfView: Double = this.fieldOfView,
+    ): FittedViewpoint = Camera.fit(azimuth, elevation, zoom, kind, margin, fieldOfView)
 
     override fun toString(): String = "FittedViewpoint(azimuth=$azimuth, elevation=$elevation, zoom=$zoom, $kind, " +
         "margin=$margin, fieldOfView=$fieldOfView)"

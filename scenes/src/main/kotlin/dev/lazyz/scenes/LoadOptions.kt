@@ -23,20 +23,25 @@ public class LoadOptions @JvmOverloads constructor(
     }
 
     /** Returns these options with other limits. */
-    public fun withLimits(limits: LoadLimits): LoadOptions = LoadOptions(limits, animationTime, smoothNormals)
+    public fun withLimits(limits: LoadLimits): LoadOptions = copy(limits = limits)
 
     /** Returns these options with a time in the file's first animation, in seconds, 0 or more. */
-    public fun withAnimationTime(animationTime: Double): LoadOptions =
-        LoadOptions(limits, animationTime, smoothNormals)
+    public fun withAnimationTime(animationTime: Double): LoadOptions = copy(animationTime = animationTime)
 
     /** Returns these options for a model at rest, without its animations. */
-    public fun withoutAnimationTime(): LoadOptions = LoadOptions(limits, null, smoothNormals)
+    public fun withoutAnimationTime(): LoadOptions = copy(animationTime = null)
 
     /** Returns these options with smooth normals for meshes without normals in the file. */
-    public fun withSmoothNormals(): LoadOptions = LoadOptions(limits, animationTime, true)
+    public fun withSmoothNormals(): LoadOptions = copy(smoothNormals = true)
 
     /** Returns these options without smooth normals: each triangle has its own normal. */
-    public fun withoutSmoothNormals(): LoadOptions = LoadOptions(limits, animationTime, false)
+    public fun withoutSmoothNormals(): LoadOptions = copy(smoothNormals = false)
+
+    private fun copy(
+        limits: LoadLimits = this.limits,
+        animationTime: Double? = this.animationTime,
+        smoothNormals: Boolean = this.smoothNormals,
+    ): LoadOptions = LoadOptions(limits, animationTime, smoothNormals)
 
     override fun toString(): String = "LoadOptions($limits, animationTime=$animationTime, smoothNormals=$smoothNormals)"
 }

@@ -32,7 +32,7 @@ private fun tallMesh(height: Int, random: Random): FrameCase {
         val x = random.nextInt(WIDTH - size + 1)
         val y = random.nextInt(height - size + 1)
         val z = random.nextInt(DEPTHS) / DEPTHS.toFloat()
-        listOf(x, y, z, x + size, y, z, x, y + size, z).map { it.toFloat() }
+        triangle(x, y, size, z)
     }
     return screenMesh(Raster(WIDTH, height), corners)
 }

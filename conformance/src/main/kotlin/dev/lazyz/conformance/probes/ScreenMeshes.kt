@@ -46,7 +46,8 @@ internal fun closeToAWall(salt: Long): FrameCase {
     return screenMesh(Raster(FEW, FEW), (triangles + far + walls).shuffled(random))
 }
 
-private fun triangle(x: Int, y: Int, size: Int, z: Float): List<Float> =
+/** Returns a triangle with its right angle at ([x], [y]), whose short sides have [size] samples, at the depth [z]. */
+internal fun triangle(x: Int, y: Int, size: Int, z: Float): List<Float> =
     listOf(x, y, z, x + size, y, z, x, y + size, z).map { it.toFloat() }
 
 /**
@@ -130,5 +131,5 @@ private const val EDGES = 16
 private const val SURFACES = 24
 private const val FAR_AWAY = 4000f
 
-/** A few units of the depths. */
+/** 512 units of depth, which a float can still tell apart. */
 private const val LITTLE = 1f / (1 shl 22)

@@ -120,7 +120,7 @@ internal class PlanarPrimitive(
             first.toDouble(), second.toDouble(), third.toDouble(),
             1.0 / vertices.get(corners[0], Vertices.W), 1.0 / vertices.get(corners[1], Vertices.W),
             1.0 / vertices.get(corners[2], Vertices.W), reference.size.toDouble() * leastInverseW,
-        ) { w0, w1, w2 -> mix(fragment, fields, w0, w1, w2) }
+        ) { w0, w1, w2, _ -> mix(fragment, fields, w0, w1, w2) }
         if (fields and Attributes.FOOTPRINT != 0) footprint(fragment, first, second, third)
     }
 

@@ -39,16 +39,14 @@ internal object TextureFootprint {
             down0: Double, down1: Double, down2: Double,
         ) -> Unit,
     ) {
-        val part0 = e0 * over0
-        val part1 = e1 * over1
-        val part2 = e2 * over2
-        val scale = PerspectiveWeights.scale(part0, part1, part2, least)
-        val step = scale * side
-        use(
-            part0 * scale, part1 * scale, part2 * scale,
-            e0dx.toDouble() * over0 * step, e1dx.toDouble() * over1 * step, e2dx.toDouble() * over2 * step,
-            e0dy.toDouble() * over0 * step, e1dy.toDouble() * over1 * step, e2dy.toDouble() * over2 * step,
-        )
+        PerspectiveWeights.of(e0, e1, e2, over0, over1, over2, least) { w0, w1, w2, scale ->
+            val step = scale * side
+            use(
+                w0, w1, w2,
+                e0dx.toDouble() * over0 * step, e1dx.toDouble() * over1 * step, e2dx.toDouble() * over2 * step,
+                e0dy.toDouble() * over0 * step, e1dy.toDouble() * over1 * step, e2dy.toDouble() * over2 * step,
+            )
+        }
     }
 
     /**

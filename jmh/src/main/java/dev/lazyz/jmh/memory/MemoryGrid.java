@@ -1,6 +1,7 @@
 package dev.lazyz.jmh.memory;
 
 import dev.lazyz.Renderer;
+import dev.lazyz.StreamingRenderer;
 import dev.lazyz.jmh.large.Hills;
 import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Options;
@@ -116,8 +117,11 @@ public final class MemoryGrid {
                 inputs.put("teapot, `" + id + "`", List.of("teapot", "--strategy", id));
             }
         }
-        for (String id : List.of("zbuffer", "hybrid", "hierarchical")) {
-            inputs.put("1 million, `--stream`, `" + id + "`", List.of(large, "--stream", "--strategy", id));
+        for (Renderer renderer : Renderers.getBuiltIn()) {
+            String id = renderer.getId();
+            if (renderer instanceof StreamingRenderer && !id.equals("tiled")) {
+                inputs.put("1 million, `--stream`, `" + id + "`", List.of(large, "--stream", "--strategy", id));
+            }
         }
         return inputs;
     }

@@ -1,6 +1,7 @@
 package dev.lazyz.jmh.memory;
 
 import dev.lazyz.Renderer;
+import dev.lazyz.StreamingRenderer;
 import dev.lazyz.jmh.large.Hills;
 import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Options;
@@ -32,8 +33,6 @@ import org.knowm.xchart.style.Styler;
 public final class MemoryGrowth {
     private static final List<Integer> SIDES = List.of(512, 1448, 4096);
     private static final List<Integer> TRIANGLES = List.of(10_000, 60_000, 360_000, 2_160_000);
-
-    private static final Set<String> STREAMING = Set.of("tiled", "zbuffer", "hybrid", "hierarchical");
 
     /** The smallest heap is found to within one part in so many. */
     private static final int PRECISION = 4;
@@ -102,7 +101,7 @@ public final class MemoryGrowth {
         for (Renderer renderer : Renderers.getBuiltIn()) {
             String id = renderer.getId();
             all.put(id, List.of("--strategy", id));
-            if (STREAMING.contains(id)) {
+            if (renderer instanceof StreamingRenderer) {
                 all.put(id + " --stream", List.of("--strategy", id, "--stream"));
             }
         }

@@ -243,12 +243,12 @@ private enum class HeavyKind(private val words: String) {
     override fun toString(): String = words
 }
 
-/** Each takes 24 bytes, or more if it has attributes. */
-private const val VERTICES = 5000
-
 private const val HEAVY = 64
 private const val HEAVY_BYTES = 1 shl 17
 private const val HEAVY_BUDGET = 1L shl 20
+
+/** Each takes 24 bytes at least: a position and a normal. */
+private const val VERTICES = HEAVY_BYTES / 24 + 1
 
 /** Covers one sample, and holds [bytes] bytes. */
 private class HeavyPrimitive(override val columnStart: Int, private val bytes: Int) : Primitive {

@@ -90,7 +90,9 @@ internal fun finishesIfWorkersAreInterrupted(renderer: Renderer) {
 internal fun leavesNoInterrupt(renderer: Renderer) {
     val isLeft = AtomicBoolean()
     val tasks = AtomicInteger()
+    val isUsed = AtomicBoolean()
     val executor = Executor { task ->
+        isUsed.set(true)
         tasks.incrementAndGet()
         val thread = Thread {
             task.run()
@@ -103,12 +105,13 @@ internal fun leavesNoInterrupt(renderer: Renderer) {
     val configured = renderer.configured(RenderOptions(threads = 4, tileSize = 8, executor = executor))
     repeat(ATTEMPTS) {
         val workers = Workers(Thread.currentThread(), { throw Planted.EXCEPTION.make() }) {
-            val start = System.nanoTime()
-            while (!Thread.currentThread().isInterrupted && System.nanoTime() - start < BRIEF) Thread.onSpinWait()
+            awaitUntil(BRIEF) { Thread.currentThread().isInterrupted }
         }
         answer { Rendering.of(configured, workers.frame) }
-        val start = System.nanoTime()
-        while (tasks.get() > 0 && System.nanoTime() - start < PATIENCE * MILLISECOND) Thread.yield()
+
+        // A renderer that does not use the executor cannot interrupt its threads
+        if (!isUsed.get()) return
+        awaitUntil(PATIENCE * MILLISECOND) { tasks.get() == 0 }
         if (isLeft.get()) {
             fail(renderer, "a thread of the caller's executor is still interrupted when its task has ended")
         }
@@ -122,6 +125,11 @@ private const val BRIEF = 20_000_000L
 
 /** Milliseconds after which the rendering of a small frame counts as hanging. */
 private const val PATIENCE = 20_000L
+
+private fun awaitUntil(nanoseconds: Long, condition: () -> Boolean) {
+    val start = System.nanoTime()
+    while (!condition() && System.nanoTime() - start < nanoseconds) Thread.yield()
+}
 
 private class InterruptedCaller(private val renderer: Renderer, private val isBefore: Boolean) : Runnable {
     private lateinit var caller: Thread
@@ -179,11 +187,6 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
         if (isBefore || isHandedOut) return
         send()
         awaitUntil(MOMENT) { isHandedOut }
-    }
-
-    private fun awaitUntil(nanoseconds: Long, condition: () -> Boolean) {
-        val start = System.nanoTime()
-        while (!condition() && System.nanoTime() - start < nanoseconds) Thread.yield()
     }
 
     /** Describes what is wrong, or returns null. */

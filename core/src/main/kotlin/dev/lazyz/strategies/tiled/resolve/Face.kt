@@ -171,7 +171,7 @@ internal class Face : EdgeForms() {
         val at0 = (e0 + e0dx * x + e0dy * y).toDouble()
         val at1 = (e1 + e1dx * x + e1dy * y).toDouble()
         val at2 = (e2 + e2dx * x + e2dy * y).toDouble()
-        PerspectiveWeights.of(at0, at1, at2, over0, over1, over2, least) { w0, w1, w2 -> mix(batch, i, w0, w1, w2) }
+        PerspectiveWeights.of(at0, at1, at2, over0, over1, over2, least) { w0, w1, w2, _ -> mix(batch, i, w0, w1, w2) }
         if (fields and Attributes.FOOTPRINT != 0) footprint(batch, i, x, y)
     }
 

@@ -25,7 +25,7 @@ internal class ScalarFragmentKernel : FragmentKernel(long = 12) {
             val at0 = first0 + column * right0 + row * down0
             val at1 = first1 + column * right1 + row * down1
             val at2 = first2 + column * right2 + row * down2
-            PerspectiveWeights.of(at0, at1, at2, face.over0, face.over1, face.over2, face.least) { w0, w1, w2 ->
+            PerspectiveWeights.of(at0, at1, at2, face.over0, face.over1, face.over2, face.least) { w0, w1, w2, _ ->
                 weight0[i] = w0
                 weight1[i] = w1
                 weight2[i] = w2
