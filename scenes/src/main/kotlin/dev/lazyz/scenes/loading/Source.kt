@@ -37,8 +37,8 @@ internal class Source(
         loading.read(bytes.size)
     }
 
-    /** Warnings about what was ignored so far; reported by [LoadedScene.warnings]. */
-    val warnings = ArrayList<String>()
+    /** Warnings about what was ignored so far, in their order; reported by [LoadedScene.warnings]. */
+    val warnings = LinkedHashSet<String>()
 
     /** Cameras of the model so far; reported by [LoadedScene.cameras]. */
     val cameras = ArrayList<NamedCamera>()
@@ -67,8 +67,7 @@ internal class Source(
 
     /** Adds a warning, unless it is there already: some files are read twice. */
     fun warn(sentence: String) {
-        val warning = printable("$name: $sentence")
-        if (warning !in warnings) warnings.add(warning)
+        warnings.add(printable("$name: $sentence"))
     }
 
     fun fail(location: String?, problem: String, remedy: String? = null, cause: Throwable? = null): Nothing =
