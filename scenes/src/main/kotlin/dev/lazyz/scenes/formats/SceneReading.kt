@@ -90,7 +90,7 @@ internal object SceneReading {
         try {
             val scene = parser.parse(source)
             return LoadedScene(
-                scene, source.warnings.toList(),
+                scene, source.warnings,
                 cameras = source.cameras.toList(), files = source.files, format = format,
             )
         } catch (e: OutOfMemoryError) {

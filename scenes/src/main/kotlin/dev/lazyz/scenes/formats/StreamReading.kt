@@ -49,7 +49,7 @@ internal object StreamReading {
                 else -> source.fail(null, "cannot be read part by part: only STL, PLY and OBJ can", "read it whole")
             }
             val mesh = StreamedMesh(triangles)
-            StreamedScene(LoadedScene(Scene(listOf(mesh)), source.warnings.toList(), format = known), input)
+            StreamedScene(LoadedScene(Scene(listOf(mesh)), source.warnings, format = known), input)
         } catch (e: Throwable) {
             input.close()
             throw e

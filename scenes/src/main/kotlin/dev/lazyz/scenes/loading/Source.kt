@@ -37,8 +37,10 @@ internal class Source(
         loading.read(bytes.size)
     }
 
-    /** Warnings about what was ignored so far, in their order; reported by [LoadedScene.warnings]. */
-    val warnings = LinkedHashSet<String>()
+    private val distinctWarnings = LinkedHashSet<String>()
+
+    /** Warnings about what was ignored so far, each once; reported by [LoadedScene.warnings]. */
+    val warnings: List<String> get() = distinctWarnings.toList()
 
     /** Cameras of the model so far; reported by [LoadedScene.cameras]. */
     val cameras = ArrayList<NamedCamera>()
@@ -67,7 +69,12 @@ internal class Source(
 
     /** Adds a warning, unless it is there already: some files are read twice. */
     fun warn(sentence: String) {
-        warnings.add(printable("$name: $sentence"))
+        distinctWarnings.add(printable("$name: $sentence"))
+    }
+
+    /** Adds the warnings about a file that it refers to. */
+    fun warnAll(loaded: LoadedScene) {
+        distinctWarnings.addAll(loaded.warnings)
     }
 
     fun fail(location: String?, problem: String, remedy: String? = null, cause: Throwable? = null): Nothing =

@@ -51,7 +51,7 @@ internal class SceneFileReader(private val source: Source) {
             .withToneMapping(members["toneMapping"]?.let(lights::toneMapping))
         val depth = members["depth"]?.let(::depth) ?: DepthRules()
         return LoadedScene(
-            whole, source.warnings.toList(), size, depth,
+            whole, source.warnings, size, depth,
             lightRig = rig, files = source.files, format = SceneFormat.SCENE,
         )
     }

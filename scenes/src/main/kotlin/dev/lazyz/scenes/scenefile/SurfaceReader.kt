@@ -84,7 +84,7 @@ internal class SurfaceReader(
             val found = source.references.find(reference)
             val file = found.file ?: node.fail("the file $reference ${found.problem}", found.remedy)
             val loaded = SceneReading.read(file, format, source.loading, source.folder)
-            source.warnings.addAll(loaded.warnings)
+            source.warnAll(loaded)
             loaded.scene.surfaces
         }
     }
