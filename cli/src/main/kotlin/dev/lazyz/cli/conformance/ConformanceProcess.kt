@@ -56,8 +56,10 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         val options = ManagementFactory.getRuntimeMXBean().inputArguments.filter { option ->
             NOT_INHERITED.none { option.startsWith(it) }
         }
+        val collector = if (options.any(COLLECTOR::matches)) emptyList() else EXACT_COLLECTOR
         val own = listOf("-D$FOLDER=$folder", "-D$SEED=$seed", "-D$TEMPORARY=$temporary")
-        return listOf(java) + options + own + listOf("-cp", System.getProperty("java.class.path"), MAIN) + args
+        return listOf(java) + collector + options + own + listOf("-cp", System.getProperty("java.class.path"), MAIN) +
+            args
     }
 
     /** The result of the child: [report] is the text to print, or null if [messages] contain an error. */
@@ -69,6 +71,11 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         private const val TEMPORARY = "java.io.tmpdir"
         private const val MAIN = "dev.lazyz.cli.MainKt"
         private const val INCUBATOR = "WARNING: Using incubator modules"
+
+        private val COLLECTOR = Regex("-XX:\\+Use\\w+GC")
+
+        /** With this garbage collector, rules about memory measure the heap in one collection instead of several. */
+        private val EXACT_COLLECTOR = listOf("-XX:+UseSerialGC", "-XX:MarkSweepAlwaysCompactCount=1")
 
         /** JVM options that the child process must not inherit. */
         private val NOT_INHERITED =

@@ -12,29 +12,27 @@ import dev.lazyz.scenes.writers.sendTo
 import java.nio.file.Path
 
 /**
- * An animation of shading [orders] of one [picture], side by side on the same clock: all have made as many calls, or
- * are done.
+ * An animation at [path] of how the shading calls of one or more strategies make one [picture], side by side on the same
+ * clock: all have made as many calls, or are done.
  *
+ * @param panels the number of strategies
  * @param steps pictures from the first call to the last of the longest order
+ * @throws Mistake if it does not fit into memory
  */
 internal class Film(
-    private val orders: List<ShadingOrder>,
+    private val path: Path,
+    panels: Int,
     private val picture: TracedPicture,
     private val steps: Int,
-    private val framesPerSecond: Int,
+    framesPerSecond: Int,
 ) {
-    private val panels = orders.map { FilmPanel(it, picture) }
     private val pause = framesPerSecond * PAUSE_SECONDS
     private val animation = Animation(
-        panels.sumOf { it.width + GAP } - GAP, panels[0].height, steps + pause, framesPerSecond, AlphaChannel.DROP,
+        panels * (FilmPanel.width(picture) + GAP) - GAP, FilmPanel.height(picture),
+        steps + pause, framesPerSecond, AlphaChannel.DROP,
     )
 
-    /**
-     * Writes the film to [path]. Call it once.
-     *
-     * @throws Mistake if it does not fit into memory
-     */
-    fun write(path: Path) {
+    init {
         val kept = if (AnimationFiles.formatOf(path) == AnimationFormat.GIF) animation.frames else 1
         val bytes = 4L * kept * animation.width * animation.height
         val available = Runtime.getRuntime().maxMemory()
@@ -46,20 +44,25 @@ internal class Film(
                     if (kept > 1) ", or write a .png" else "",
             )
         }
+    }
+
+    /** Writes the film of these [orders] of the finished picture, one for each panel. */
+    fun write(orders: List<ShadingOrder>) {
+        val panels = orders.map { FilmPanel(it, picture) }
         val most = orders.maxOf { it.size }
         AnimationFiles.write(path, animation) { sink ->
-            for (step in 1..steps) drawn((most.toLong() * step / steps).toInt(), sink)
-            repeat(pause) { drawn(most, sink) }
+            for (step in 1..steps) draw(panels, (most.toLong() * step / steps).toInt(), sink)
+            repeat(pause) { draw(panels, most, sink) }
         }
     }
 
-    private fun drawn(calls: Int, sink: RowSink) {
+    private fun draw(panels: List<FilmPanel>, calls: Int, sink: RowSink) {
         val canvas = Canvas(animation.width, animation.height, PAGE)
         var left = 0
         for (panel in panels) {
             panel.advance(calls)
             panel.draw(canvas, left)
-            left += panel.width + GAP
+            left += FilmPanel.width(picture) + GAP
         }
         canvas.toImage().sendTo(sink)
     }

@@ -20,9 +20,6 @@ internal class FilmPanel(private val order: ShadingOrder, private val picture: T
     private var done = 0
     private var discarded = 0
 
-    val width: Int = maxOf(picture.width, LEAST_WIDTH)
-    val height: Int = picture.height + 2 * MARGIN + 2 * LINE
-
     /** Makes the next step: goes on until [calls] shading calls are made. */
     fun advance(calls: Int) {
         discardedNow.clear()
@@ -63,5 +60,11 @@ internal class FilmPanel(private val order: ShadingOrder, private val picture: T
         private const val MARGIN = 4
         private const val LINE = PixelFont.HEIGHT + 4
         private const val LEAST_WIDTH = 200
+
+        /** The width of a panel with this [picture]. */
+        fun width(picture: TracedPicture): Int = maxOf(picture.width, LEAST_WIDTH)
+
+        /** The height of a panel with this [picture]. */
+        fun height(picture: TracedPicture): Int = picture.height + 2 * MARGIN + 2 * LINE
     }
 }

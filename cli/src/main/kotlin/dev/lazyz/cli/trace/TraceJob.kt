@@ -27,7 +27,7 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         val replaced = OutputPlaces(listOf("-o" to request.output))
         request.subject.requireKept(replaced)
 
-        // Record the shading calls of each strategy
+        // A film that is too large is refused before the shading calls of each strategy are recorded
         val loaded = source.load()
         source.requireKept(loaded, replaced)
         val shot = source.frame(loaded, choices.options())
@@ -35,17 +35,18 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         val strategies = named.map { it.strategyFor(shot.frame) }
         for (strategy in strategies) MemoryNeed.check(strategy, shot.frame.region, kept = BYTES_PER_PIXEL)
         val picture = TracedPicture(shot.pixels)
+        val film = if (isPage) null else film(strategies.size, picture)
         val orders = strategies.map { record(it, shot, picture) }
         if (picture.covered.isEmpty) streams.nothingIsVisible()
 
         streams.progress("writing ${request.output} ...")
-        if (request.output.toString().endsWith(PAGE, ignoreCase = true)) {
+        if (film == null) {
             FilmPage(orders, picture, source.input.name, request.steps, request.framesPerSecond).write(request.output)
         } else {
             if (shot.alpha == AlphaChannel.KEEP) {
                 streams.warning("a film has no alpha: what is transparent is shown as opaque; use .html")
             }
-            Film(orders, picture, request.steps, request.framesPerSecond).write(request.output)
+            film.write(orders)
         }
         for (order in orders) {
             val calls = counted(order.size.toLong(), "shading call")
@@ -53,6 +54,11 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         }
         streams.remark("wrote ${request.output}")
     }
+
+    private val isPage: Boolean get() = request.output.toString().endsWith(PAGE, ignoreCase = true)
+
+    private fun film(panels: Int, picture: TracedPicture) =
+        Film(request.output, panels, picture, request.steps, request.framesPerSecond)
 
     private fun record(strategy: Renderer, shot: Shot, picture: TracedPicture): ShadingOrder {
         streams.progress("rendering with ${strategy.id} ...")

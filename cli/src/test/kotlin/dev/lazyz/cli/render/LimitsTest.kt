@@ -56,8 +56,8 @@ class LimitsTest {
                 List(2_000) { "0, 1, 2" }.joinToString() +
                 """]}, "material": {"baseColor": [1, 0.5, 0.2, 0.01], "alphaMode": "blend"}}]}""",
         )
-        val message = "layers.json: takes more than 2 s to read and render; raise --max-seconds"
-        val limit = arrayOf<Any>("--max-seconds", 2)
+        val message = "layers.json: takes more than 1 s to read and render; raise --max-seconds"
+        val limit = arrayOf<Any>("--max-seconds", 1)
         val start = System.nanoTime()
         zcli("render", scene, *limit, "-o", out).mistake(message)
         zcli("render", scene, *limit, "--strategy", "lists", "-o", out).mistake(message)

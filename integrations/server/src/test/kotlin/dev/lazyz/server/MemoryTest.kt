@@ -21,7 +21,7 @@ class MemoryTest {
     private val process = ProcessBuilder(
         "${Path.of(System.getProperty("java.home"), "bin", "java")}", "-Xmx160m", "-XX:+ExitOnOutOfMemoryError",
         "-cp", System.getProperty("java.class.path"), "dev.lazyz.server.MainKt",
-        "--port", "0", "--renders", "2", "--memory", "112m", "--render-time", "3",
+        "--port", "0", "--renders", "2", "--memory", "112m", "--render-time", "2",
     ).redirectError(ProcessBuilder.Redirect.DISCARD).start()
     private val output = process.inputStream.bufferedReader()
     private val address = output.readLine().substringAfter("listening at ")

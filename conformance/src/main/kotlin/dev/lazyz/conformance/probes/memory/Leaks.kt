@@ -10,7 +10,7 @@ import dev.lazyz.conformance.probes.smallFrames
 
 /** Pools and caches are full after this number of renderings of each frame, if they are fast. */
 private const val FIRST = 1000
-private const val FIRST_NANOSECONDS = 2_000_000_000L
+private const val FIRST_NANOSECONDS = 500_000_000L
 private const val RENDERINGS = 48
 
 /** Fails if each rendering, each failed one, or each configured renderer leaves an object on the heap. */

@@ -19,6 +19,7 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.Executor
 import java.util.concurrent.atomic.AtomicBoolean
 import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.atomic.AtomicLong
 import java.util.concurrent.locks.LockSupport
 
 /** Fails unless what a primitive throws in one of [renderer]'s own threads reaches the caller unchanged. */
@@ -84,8 +85,8 @@ internal fun finishesIfWorkersAreInterrupted(renderer: Renderer) {
 }
 
 /**
- * Fails if a rendering that fails leaves a thread of the caller's executor interrupted. The caller's part fails while a
- * worker waits to be interrupted, for a moment at most.
+ * Fails if a rendering that fails leaves a thread of the caller's executor interrupted. The caller's part fails while the
+ * workers wait to be interrupted, for a moment at most: after it, no query waits any longer.
  */
 internal fun leavesNoInterrupt(renderer: Renderer) {
     val isLeft = AtomicBoolean()
@@ -104,8 +105,10 @@ internal fun leavesNoInterrupt(renderer: Renderer) {
     }
     val configured = renderer.configured(RenderOptions(threads = 4, tileSize = 8, executor = executor))
     repeat(ATTEMPTS) {
+        val waitsUntil = AtomicLong(NEVER)
         val workers = Workers(Thread.currentThread(), { throw Planted.EXCEPTION.make() }) {
-            awaitUntil(BRIEF) { Thread.currentThread().isInterrupted }
+            waitsUntil.compareAndSet(NEVER, System.nanoTime() + BRIEF)
+            awaitUntil(waitsUntil.get() - System.nanoTime()) { Thread.currentThread().isInterrupted }
         }
         answer { Rendering.of(configured, workers.frame) }
 
@@ -119,8 +122,9 @@ internal fun leavesNoInterrupt(renderer: Renderer) {
 }
 
 private const val MILLISECOND = 1_000_000L
+private const val NEVER = Long.MIN_VALUE
 
-/** Nanoseconds that a worker waits for an interrupt. */
+/** Nanoseconds from the first query of a worker in which workers wait for an interrupt. */
 private const val BRIEF = 20_000_000L
 
 /** Milliseconds after which the rendering of a small frame counts as hanging. */

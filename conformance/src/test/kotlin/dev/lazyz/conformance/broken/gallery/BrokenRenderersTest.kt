@@ -22,7 +22,7 @@ class BrokenRenderersTest {
      * by chance.
      */
     @TestFactory
-    fun mistakeIsNoticed(): List<DynamicTest> = TestEffort.sample(13, Gallery.all).map { mutant ->
+    fun mistakeIsNoticed(): List<DynamicTest> = TestEffort.sample(19, Gallery.all).map { mutant ->
         dynamicTest(mutant.id) {
             val missed = missed(mutant, mutant.noticedBy)
 
