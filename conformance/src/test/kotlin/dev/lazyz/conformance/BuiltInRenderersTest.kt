@@ -18,8 +18,8 @@ import org.junit.jupiter.api.TestFactory
 
 /**
  * Runs the suite on every built-in renderer and on the oracle. The default build tests the default one, without the
- * rules in [LONG], which [ZBufferConformanceTest] tries on `zbuffer`; the effort `rest` tests these, and the other
- * renderers, each rule in [LONG] with one of them; `full` tests all with all rules. See [TestEffort].
+ * rules that take long, which [ZBufferConformanceTest] tries on `zbuffer`; the effort `rest` tests these, and the other
+ * renderers, each rule that takes long with one of them; `full` tests all with all rules. See [TestEffort].
  */
 class BuiltInRenderersTest {
     @TestFactory
@@ -28,9 +28,9 @@ class BuiltInRenderersTest {
         return renderers.withIndex().filter { (i, _) -> i == 0 || !TestEffort.isDefault }.map { (i, renderer) ->
             val rules = when {
                 TestEffort.isFull -> SuiteRun.rules
-                TestEffort.isDefault -> SuiteRun.rules - LONG
-                i == 0 -> LONG
-                else -> SuiteRun.rules - LONG + setOfNotNull(LONG.elementAtOrNull(i - 1))
+                TestEffort.isDefault -> SuiteRun.quickRules
+                i == 0 -> SuiteRun.longRules
+                else -> SuiteRun.quickRules + setOfNotNull(SuiteRun.longRules.elementAtOrNull(i - 1))
             }
             dynamicTest(renderer.id) { assertPasses(renderer, rules) }
         }
@@ -70,15 +70,5 @@ class BuiltInRenderersTest {
         val run = SuiteRun.of(FromJava::class, tries = 0.05, *rules.toTypedArray())
         assertEquals(emptyMap<String, Throwable>(), run.failures)
         assertEquals(rules, run.rules)
-    }
-
-    private companion object {
-        /** Rules that take seconds for any number of tries. */
-        val LONG = linkedSetOf(
-            "rule_7_9_renderingsHoldNoMoreMemory",
-            "rule_7_3_promiseOfConstantMemoryIsKept",
-            "rule_5_3_allPairsOnATinyRasterAreDrawnCorrectly",
-            "rule_1_1_columnsAndRowsAreNotTruncated",
-        )
     }
 }

@@ -36,7 +36,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
  * [RendererConformance] compares each with the oracle, on fewer frames. This test compares them with each other.
  */
 class StrategiesAgreeProperties {
-    @Property(tries = 2000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 1200, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onTheScreen(@ForAll(supplier = ScreenCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 
@@ -47,7 +47,7 @@ class StrategiesAgreeProperties {
     fun rule_7_1_onPrimitivesOfOnesOwn(@ForAll(supplier = ConfettiCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 
-    @Property(tries = 2000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 1200, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_inScenes(@ForAll(supplier = WorldCases::class) case: FrameCase, @ForAll salt: Long) = agree(case, salt)
 
     /** Rasters of several tiles and subdivisions, and enough primitives to hide each other. */

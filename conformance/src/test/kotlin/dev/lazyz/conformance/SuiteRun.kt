@@ -23,6 +23,17 @@ class SuiteRun private constructor(val report: ConformanceReport) {
         /** The names of all rules. */
         val rules: Set<String> = SuiteRule.all.mapTo(LinkedHashSet()) { it.name }
 
+        /** Rules that take seconds for any number of tries. */
+        val longRules: Set<String> = linkedSetOf(
+            "rule_7_9_renderingsHoldNoMoreMemory",
+            "rule_7_3_promiseOfConstantMemoryIsKept",
+            "rule_5_3_allPairsOnATinyRasterAreDrawnCorrectly",
+            "rule_1_1_columnsAndRowsAreNotTruncated",
+        )
+
+        /** The names of the other rules. */
+        val quickRules: Set<String> = rules - longRules
+
         /** Tests the renderers that [make] returns with [tries] times the default number of frames of [rules]. */
         fun of(tries: Double, rules: Set<String> = this.rules, make: () -> Renderer): SuiteRun {
             val conformance = Conformance(make).tries(tries).withoutShrinking()

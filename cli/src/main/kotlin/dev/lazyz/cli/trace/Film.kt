@@ -12,8 +12,8 @@ import dev.lazyz.scenes.writers.sendTo
 import java.nio.file.Path
 
 /**
- * An animation at [path] of how the shading calls of one or more strategies make one [picture], side by side on the same
- * clock: all have made as many calls, or are done.
+ * An animation at [path] of how the shading calls of one or more strategies make one [picture], side by side on the
+ * same clock: all have made as many calls, or are done.
  *
  * @param panels the number of strategies
  * @param steps pictures from the first call to the last of the longest order

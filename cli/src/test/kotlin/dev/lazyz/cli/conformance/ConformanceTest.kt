@@ -346,7 +346,7 @@ class ConformanceTest {
         val same = zcli("conformance", "--strategy", "hierarchical", *words, "0.01").done()
         assertTrue("hierarchical against zbuffer: " in same.text && "no picture differs" in same.text, same.text)
         assertTrue(corpus.resolve("recipes.txt").exists())
-        val other = zcli("conformance", "--strategy", "fickle", "--classpath", jar, *words, "0.05")
+        val other = zcli("conformance", "--strategy", "fickle", "--classpath", jar, *words, "0.03")
         assertEquals(1, other.code)
         assertTrue(Regex("against zbuffer: .* differs?; ") in other.text, other.text)
     }

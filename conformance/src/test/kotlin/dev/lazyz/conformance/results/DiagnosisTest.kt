@@ -118,7 +118,9 @@ class DiagnosisTest {
 
     @Test
     fun reportBeginsWithTheCauseAndIsShortHoweverMuchFails() {
-        val report = Conformance { BrokenRenderers.lastWinsTies() }.tries(0.02).withoutShrinking().run()
+        val suite = Conformance { BrokenRenderers.lastWinsTies() }.tries(0.02).withoutShrinking()
+        for (rule in SuiteRun.quickRules) suite.rule(rule)
+        val report = suite.run()
         val text = report.toText()
         assertTrue(report.results.count { it.outcome.isFailure } > 10, text)
         val lines = text.lines()

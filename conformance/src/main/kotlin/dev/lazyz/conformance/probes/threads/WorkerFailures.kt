@@ -85,8 +85,8 @@ internal fun finishesIfWorkersAreInterrupted(renderer: Renderer) {
 }
 
 /**
- * Fails if a rendering that fails leaves a thread of the caller's executor interrupted. The caller's part fails while the
- * workers wait to be interrupted, for a moment at most: after it, no query waits any longer.
+ * Fails if a rendering that fails leaves a thread of the caller's executor interrupted. The caller's part fails while
+ * the workers wait to be interrupted, for a moment at most: after it, no query waits any longer.
  */
 internal fun leavesNoInterrupt(renderer: Renderer) {
     val isLeft = AtomicBoolean()
