@@ -15,7 +15,7 @@ import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class LinearTimeTest {
     private fun meshes(bytes: ByteArray, format: SceneFormat): List<Mesh> =
-        assertTimeoutPreemptively<List<Mesh>>(Duration.ofSeconds(30)) {
+        assertTimeoutPreemptively<List<Mesh>>(Duration.ofSeconds(10)) {
             Scenes.load(bytes.inputStream(), format).scene.surfaces.map { it as Mesh }
         }
 
