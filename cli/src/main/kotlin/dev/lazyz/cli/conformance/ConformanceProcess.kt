@@ -56,7 +56,7 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         val options = ManagementFactory.getRuntimeMXBean().inputArguments.filter { option ->
             NOT_INHERITED.none { option.startsWith(it) }
         }
-        val collector = if (options.any(COLLECTOR::matches)) emptyList() else EXACT_COLLECTOR
+        val collector = if (options.filter(COLLECTOR::matches).all { it == SERIAL }) EXACT_COLLECTOR else emptyList()
         val own = listOf("-D$FOLDER=$folder", "-D$SEED=$seed", "-D$TEMPORARY=$temporary")
         return listOf(java) + collector + options + own + listOf("-cp", System.getProperty("java.class.path"), MAIN) +
             args
@@ -73,9 +73,10 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         private const val INCUBATOR = "WARNING: Using incubator modules"
 
         private val COLLECTOR = Regex("-XX:\\+Use\\w+GC")
+        private const val SERIAL = "-XX:+UseSerialGC"
 
         /** With this garbage collector, rules about memory measure the heap in one collection instead of several. */
-        private val EXACT_COLLECTOR = listOf("-XX:+UseSerialGC", "-XX:MarkSweepAlwaysCompactCount=1")
+        private val EXACT_COLLECTOR = listOf(SERIAL, "-XX:MarkSweepAlwaysCompactCount=1")
 
         /** JVM options that the child process must not inherit. */
         private val NOT_INHERITED =

@@ -27,7 +27,6 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         val replaced = OutputPlaces(listOf("-o" to request.output))
         request.subject.requireKept(replaced)
 
-        // A film that is too large is refused before the shading calls of each strategy are recorded
         val loaded = source.load()
         source.requireKept(loaded, replaced)
         val shot = source.frame(loaded, choices.options())
@@ -35,6 +34,9 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         val strategies = named.map { it.strategyFor(shot.frame) }
         for (strategy in strategies) MemoryNeed.check(strategy, shot.frame.region, kept = BYTES_PER_PIXEL)
         val picture = TracedPicture(shot.pixels)
+
+        // A film that is too large is refused before anything is recorded
+        val isPage = request.output.toString().endsWith(PAGE, ignoreCase = true)
         val film = if (isPage) null else film(strategies.size, picture)
         val orders = strategies.map { record(it, shot, picture) }
         if (picture.covered.isEmpty) streams.nothingIsVisible()
@@ -54,8 +56,6 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         }
         streams.remark("wrote ${request.output}")
     }
-
-    private val isPage: Boolean get() = request.output.toString().endsWith(PAGE, ignoreCase = true)
 
     private fun film(panels: Int, picture: TracedPicture) =
         Film(request.output, panels, picture, request.steps, request.framesPerSecond)

@@ -44,9 +44,7 @@ class NamedMemoryTest {
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun theNamedAmountIsAcceptedInALargeHeap() {
-        val isWhole = System.getProperty("lazyz.effort") == "full"
-        val sizes = if (isWhole) listOf("200x5000", "300x200") else listOf("200x5000")
-        grid(sizes, if (isWhole) listOf(1, 2) else listOf(1)) { words ->
+        grid(listOf("200x5000", "300x200"), listOf(1, 2)) { words ->
             val refused = zcli(*words.toTypedArray(), "--memory", "1m")
             assertEquals(2, refused.code, refused.errors)
             val amount = named(refused.errors)

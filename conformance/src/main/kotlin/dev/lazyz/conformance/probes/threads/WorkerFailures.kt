@@ -130,11 +130,6 @@ private const val BRIEF = 20_000_000L
 /** Milliseconds after which the rendering of a small frame counts as hanging. */
 private const val PATIENCE = 20_000L
 
-private fun awaitUntil(nanoseconds: Long, condition: () -> Boolean) {
-    val start = System.nanoTime()
-    while (!condition() && System.nanoTime() - start < nanoseconds) Thread.yield()
-}
-
 private class InterruptedCaller(private val renderer: Renderer, private val isBefore: Boolean) : Runnable {
     private lateinit var caller: Thread
     private val isFirst = AtomicBoolean(true)

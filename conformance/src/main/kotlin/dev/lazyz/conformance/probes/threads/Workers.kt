@@ -38,9 +38,7 @@ internal class Workers(
             hasWorker = true
             onWorker(question)
         } else if (!hasWorker && !hasWaited) {
-            // Do not sleep: the caller may have been interrupted, and other threads watch whether it is waiting
-            val start = System.nanoTime()
-            while (!hasWorker && System.nanoTime() - start < PATIENCE) Thread.yield()
+            awaitUntil(PATIENCE) { hasWorker }
             hasWaited = true
         }
         if (hasWorker && Thread.currentThread() === caller) onCaller()
@@ -79,4 +77,13 @@ internal class Workers(
         fun quiet(): FrameCase =
             FrameCase(Workers(Thread.currentThread()) {}.frame, "// $COUNT primitives that cover $SIDE x $SIDE samples")
     }
+}
+
+/**
+ * Waits until [condition] is true, or for this number of nanoseconds. It does not sleep: the thread may have been
+ * interrupted, and other threads watch whether it is waiting.
+ */
+internal fun awaitUntil(nanoseconds: Long, condition: () -> Boolean) {
+    val start = System.nanoTime()
+    while (!condition() && System.nanoTime() - start < nanoseconds) Thread.yield()
 }
