@@ -4,6 +4,7 @@ import dev.lazyz.cli.ProjectFiles
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 import kotlin.io.path.exists
+import kotlin.io.path.isExecutable
 import kotlin.io.path.readText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -40,12 +41,13 @@ class PageCommandsTest {
         }
     }
 
+    private val here = commands.filter { it !in ranByScript && it.reasons().isEmpty() }
+
     private fun FencedBlock.reasons() = NOT_RUN.filterKeys { name.startsWith(it) }.values
 
     @TestFactory
     fun succeed(@TempDir folder: Path): List<DynamicTest> {
         assumeTrue(Path.of("/bin/bash").exists(), "there is no bash")
-        val here = commands.filter { it !in ranByScript && it.reasons().isEmpty() }
         assertTrue(here.size >= 30, "${here.map { it.name }}")
         val pages = here.groupBy { it.page }.mapValues { (page, blocks) -> run(page, blocks) }
         return pages.filterValues { it.isNotEmpty() }.map { (page, blocks) ->
@@ -61,6 +63,17 @@ class PageCommandsTest {
     }
 
     private fun smaller(text: String) = SMALLER.entries.fold(text) { all, (big, small) -> all.replace(big, small) }
+
+    /** Blocks are run in a folder that has no programs of the project, which only some builds would notice. */
+    @Test
+    fun programsOfTheProjectAreRunByItsScriptOrNotAtAll() {
+        val programs = here.flatMap { block ->
+            block.lines.flatMap { it.split(' ') }
+                .filter { '/' in it && ProjectFiles.root.resolve(it).isExecutable() }
+                .map { "${block.name}: $it" }
+        }
+        assertEquals(emptyList<String>(), programs)
+    }
 
     @Test
     fun commandsAreMarkedAsCommands() {
@@ -123,6 +136,7 @@ class PageCommandsTest {
             "docs/performance.md: java -jar jmh/target/benchmarks.jar StrategyBenchmark" to MEASURES,
             "docs/performance.md: mvn" to NEEDS,
             "docs/performance.md: jmh/peers/whole-job" to NEEDS,
+            "docs/performance.md: xvfb-run -a jmh/peers/start" to NEEDS,
             "docs/server.md: mvn" to "starts a service that does not end; examples/docker/check starts it",
             "docs/server.md: curl" to "needs the service; examples/docker/check asks it for a picture",
             "docs/server.md: java" to "takes four minutes; tests of the server try each kind of client",
@@ -135,6 +149,7 @@ class PageCommandsTest {
             "jmh/README.md: mvn -q -DskipTests package && java -Xmx6g" to MEASURES,
             "jmh/README.md: java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.growth.GrowthPage" to WRITES,
             "jmh/README.md: jmh/peers/run" to NEEDS,
+            "jmh/README.md: jmh/peers/start" to NEEDS,
             "jmh/README.md: jmh/peers/whole-job" to NEEDS,
             "jmh/README.md: java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.peers.PerformancePage" to WRITES,
         )
