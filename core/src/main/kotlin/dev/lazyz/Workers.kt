@@ -87,7 +87,7 @@ internal class Helpers(private val executor: Executor) {
         } catch (_: RejectedExecutionException) {
             // The calling thread does the work
         } catch (_: OutOfMemoryError) {
-            // Likewise: no thread can be created
+            // So it does if no thread can be created
         }
     }
 

@@ -80,7 +80,7 @@ internal class Occluders(scene: Scene) {
         /** World units; the numbers of smaller scenes would not fit into single precision. */
         private const val LEAST_RADIUS = 1e-30
 
-        /** Likewise, compared with the distance from the world's origin. */
+        /** The least radius in multiples of the distance from the world's origin. */
         private const val LEAST_SHARE = 1e-9
     }
 }

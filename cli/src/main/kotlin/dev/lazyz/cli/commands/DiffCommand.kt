@@ -33,7 +33,7 @@ internal class DiffCommand(private val streams: Streams) : Command("diff") {
 
     private val actual by argument(
         "ACTUAL",
-        help = "The picture to compare with it: likewise",
+        help = "The picture to compare with it, in one of these formats, too",
         completionCandidates = CompletionCandidates.Path,
     ).convert { fileOf(it) { message -> fail(message) } }
 

@@ -9,7 +9,7 @@ import dev.lazyz.world.surface.Surface
  * Sizes from the command line that replace those of the input.
  *
  * @property point size of points, pixels; null keeps the sizes of the input
- * @property line width of lines, likewise
+ * @property line width of lines, pixels; null keeps the widths of the input
  */
 internal class PixelSizes(private val point: Double?, private val line: Double?) {
     fun applyTo(scene: Scene): Scene {

@@ -62,7 +62,7 @@ internal class Shot(
     /** Renders the frame with [strategy], and passes every row of pixels to [sink]. */
     fun render(strategy: Renderer, sink: RowSink): Counters = sampled.render(strategy, before(sink))
 
-    /** Renders likewise, and computes [aovs], in coordinates of the model. */
+    /** Renders the frame in the same way, and computes [aovs], in coordinates of the model. */
     fun render(strategy: Renderer, sink: RowSink, aovs: Set<Aov>): AovImages {
         val all = try {
             AovFrame(sampled, aovs)

@@ -214,10 +214,10 @@ internal class MemoryPlanning(
         /** About what set-up and drawing take for each byte of a file of [MESHES], with `tiled`; measured. */
         const val MESH_PER_BYTE = 3L
 
-        /** Likewise for other formats, whose meshes take fewer bytes. */
+        /** The same for other formats, whose meshes take fewer bytes. */
         const val COMPACT_PER_BYTE = 8L
 
-        /** Likewise for strategies that need an object for each triangle. */
+        /** The same for strategies that need an object for each triangle. */
         const val OTHERS_PER_BYTE = 96L
 
         val MESHES = setOf(SceneFormat.STL, SceneFormat.PLY, SceneFormat.OBJ, SceneFormat.OFF)

@@ -49,7 +49,7 @@ internal class RenderRequest(private val service: Service, request: HttpRequest,
      * Adds a job for the complete upload to the queue. The job releases the memory of the upload when it ends.
      *
      * @param started is called on a thread of the queue
-     * @param ended likewise
+     * @param ended is called on the same thread
      * @throws Problem if there is no place or no memory for it
      */
     fun enqueue(started: () -> Unit, ended: (RenderJob.Outcome) -> Unit): RenderJob {

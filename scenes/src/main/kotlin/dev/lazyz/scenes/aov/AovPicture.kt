@@ -13,10 +13,10 @@ import dev.lazyz.scenes.pictures.PixelFont
  * | AOV | colours |
  * |---|---|
  * | depth | the scale [dev.lazyz.Viridis] from the nearest to the farthest pixel |
- * | coverage | likewise from 0 to 1 |
- * | overdraw, shading calls | likewise from 0 to the greatest number |
+ * | coverage | the same scale from 0 to 1 |
+ * | overdraw, shading calls | the same scale from 0 to the greatest number |
  * | normal | red, green and blue are x, y and z, -1..1 |
- * | position | likewise, each from the least to the greatest number in the picture |
+ * | position | red, green and blue are x, y and z, each from the least to the greatest number in the picture |
  * | texture coordinates | red is u and green v, their fractions where they are not in 0..1 |
  * | object and primitive | a colour for each number, by a hash |
  *

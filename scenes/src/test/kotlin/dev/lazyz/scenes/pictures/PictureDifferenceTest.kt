@@ -37,6 +37,12 @@ class PictureDifferenceTest {
     }
 
     @Test
+    fun aSinglePixelIsOne() {
+        val pixel = Picture.ofArgb(1, 1, intArrayOf(grey))
+        assertEquals("the only pixel is the same", PictureDifference.between(pixel, pixel).summary)
+    }
+
+    @Test
     fun changesAreCountedAndLocated() {
         val actual = picture((5 to 1) to 0xFF808180.toInt(), (2 to 3) to 0xFF808080.toInt() - 0x30)
         val difference = difference(actual)
