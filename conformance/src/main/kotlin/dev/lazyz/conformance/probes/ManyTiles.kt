@@ -56,6 +56,20 @@ internal fun longRasters(salt: Long): List<FrameCase> {
     }
 }
 
+/** A frame of a mesh of small and larger triangles, on a raster of several tiles of any size, in random order. */
+internal fun wideMesh(salt: Long): FrameCase {
+    val random = Random(salt)
+    val side = WIDE + random.nextInt(WIDE / 4)
+    val corners = List(WIDE) {
+        val size = 1 + random.nextInt(if (random.nextInt(8) == 0) WIDE / 8 else SHORT)
+        val z = random.nextInt(DEPTHS) / DEPTHS.toFloat()
+        triangle(random.nextInt(side - size + 1), random.nextInt(side - size + 1), size, z)
+    }
+    return screenMesh(Raster(side, side), corners)
+}
+
+/** More than the largest side of a tile. */
+private const val WIDE = 520
 private const val SHORT = 8
 private val LENGTHS = List(5) { 1024 shl it }
 private const val DEPTHS = 16

@@ -6,6 +6,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.oracle.ReferenceRenderer
@@ -28,7 +29,9 @@ internal fun streamedIsTheSame(renderer: Renderer, salt: Long) {
     val convention = DepthConvention.entries[random.nextInt(DepthConvention.entries.size)]
     val test = DepthTest.entries[random.nextInt(DepthTest.entries.size)]
     val raster = Raster(1 + random.nextInt(MOST_SIDE), 1 + random.nextInt(MOST_SIDE), Rgba.WHITE, convention, test)
-    val parts = List(1 + random.nextInt(MOST_MESHES)) { List(1 + random.nextInt(MOST_PARTS)) { part(raster, random) } }
+    val parts = List(1 + random.nextInt(MOST_MESHES)) {
+        List(1 + random.nextInt(1 + random.nextInt(MOST_PARTS))) { part(raster, random) }
+    }
     val materials = parts.map { Material(Rgba(random.nextFloat(), random.nextFloat(), random.nextFloat())) }
     fun scene(add: Scene.Builder.(parts: List<Mesh>, material: Material) -> Unit) = Scene.builder()
         .apply { for ((i, mesh) in parts.withIndex()) add(mesh, materials[i]) }
@@ -36,11 +39,13 @@ internal fun streamedIsTheSame(renderer: Renderer, salt: Long) {
 
     val whole = scene { mesh, material -> add(joined(mesh, material)) }
     val streamed = scene { mesh, material -> add(StreamedMesh(Parts(mesh), material)) }
-    val expected = Rendering.of(ReferenceRenderer(), whole.frame(raster)).image
-    val frame = streamed.frame(raster)
+    val all = streamed.frame(raster)
+    val frame = if (random.nextBoolean()) all else FrameCase(all, "").withinAny(random).frame
     val refused = answer { renderer.render(frame) { _, _, _, _ -> } }
     if (refused is IllegalArgumentException) return
-    val code = "/* ${parts.size} streamed meshes of ${parts.map { it.size }} parts, seed $salt, on $raster */"
+    val expected = Rendering.of(ReferenceRenderer(), whole.frame(raster).within(frame.region)).image
+    val code = "/* ${parts.size} streamed meshes of ${parts.map { it.size }} parts, seed $salt, " +
+        "on $raster, ${frame.region} */"
     Judgement(renderer, FrameCase(frame, code), "streamed meshes").equalsPicture(expected)
 }
 
@@ -50,21 +55,28 @@ private const val MOST_PARTS = 3
 private const val MOST_TRIANGLES = 4
 private const val DEPTHS = 3
 
-/** Returns some triangles on whole positions. */
+/** One of so many triangles has a corner outside the planes, which are at 0 and 1. */
+private const val CLIPPED = 2
+
+/** Returns some triangles on whole positions, some of them across the near or the far plane, where they are clipped. */
 private fun part(raster: Raster, random: Random): Mesh {
-    val count = 1 + random.nextInt(MOST_TRIANGLES)
+    val count = 1 + random.nextInt(1 + random.nextInt(MOST_TRIANGLES))
     val positions = FloatArray(9 * count)
     for (triangle in 0 until count) {
         val z = (1 + random.nextInt(DEPTHS)) / (1 + DEPTHS).toFloat()
+        val outside = if (random.nextInt(CLIPPED) == 0) random.nextInt(3) else -1
         for (corner in 0 until 3) {
             val at = 9 * triangle + 3 * corner
             positions[at] = random.nextInt(raster.width + 1).toFloat()
             positions[at + 1] = random.nextInt(raster.height + 1).toFloat()
-            positions[at + 2] = z
+            positions[at + 2] = if (corner == outside) beyond(z) else z
         }
     }
     return Mesh(positions, IntArray(3 * count) { it })
 }
+
+/** Returns the depth that is as far beyond the nearer one of the planes as [z] is before it. */
+private fun beyond(z: Float): Float = if (z <= 0.5f) -z else 2 - z
 
 private fun joined(parts: List<Mesh>, material: Material = Material()): Mesh {
     val positions = parts.flatMap { it.positions.toList() }.toFloatArray()

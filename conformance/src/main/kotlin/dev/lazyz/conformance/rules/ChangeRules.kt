@@ -21,6 +21,7 @@ import dev.lazyz.conformance.frames.screen.moved
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.isTie
+import dev.lazyz.conformance.probes.closeToAWall
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
@@ -163,6 +164,17 @@ public sealed interface ChangeRules : RulesForOne {
         val part = case.withinAny(Random(salt))
         Judgement(renderer(), part).equalsReference().equalsItsImage().rowsInOrder()
         Judgement(renderer().configured(RenderOptions(tileSize = 8)), part, "tiles of 8 x 8 samples").equalsReference()
+    }
+
+    /** Parts of a frame of many hidden triangles are that part of the picture, wherever they begin. */
+    @Rule(
+        intent = "A region may begin at any row and column, also within what a renderer takes for a block or a tile.",
+        look = "Look for blocks of rows that are counted from the raster in one place, and from the region in another.",
+        about = [Symptom.REGION],
+    )
+    @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_4_regionsOfManyLayersAreDrawnCorrectly(@ForAll salt: Long) {
+        Judgement(renderer(), closeToAWall(salt).withinAny(Random(salt))).equalsReference()
     }
 
     /** Options change the cost of a rendering, never its picture. */

@@ -4,7 +4,9 @@ import dev.lazyz.Capability
 import dev.lazyz.Coherence
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
+import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.changed.halfHeavyAndDark
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
@@ -12,6 +14,7 @@ import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.judgement.withoutMemory
 import dev.lazyz.conformance.oracle.Selection
+import dev.lazyz.conformance.probes.OneByOne
 import dev.lazyz.conformance.probes.RowWitness
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.memory.budgetOnTheHeap
@@ -160,13 +163,25 @@ public sealed interface PromiseRules : RulesForOne {
         look = "Free before you allocate, count memory before you hold it, and do without it where nothing fits.",
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
-    public fun rule_8_1_promiseToStayWithinTheBudgetIsKept(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+    public fun rule_8_1_promiseToStayWithinTheBudgetIsKept(
+        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll choice: Int,
+    ) {
         val renderer = renderer()
         requireDeclared(renderer, Capability.MEMORY_BUDGET)
+        val coherence = Coherence.entries[Math.floorMod(choice, Coherence.entries.size)]
         var least = Long.MAX_VALUE
         for (budget in listOf(0L, 100L, 400L, 700L, 1000L, 1500L, 10_000L, Long.MAX_VALUE)) {
-            val configured = renderer.configured(RenderOptions(memoryBudget = budget, threads = 1))
-            val judgement = Judgement(configured, case, "a budget of $budget").equalsReference()
+            val options = RenderOptions(coherence, budget, threads = 1).supportedBy(renderer)
+            val configured = renderer.configured(options)
+            val how = "a budget of $budget, ${options.coherence}"
+            val judgement = Judgement(configured, case, how).equalsReference()
+
+            // Of primitives that come one by one, those that hold more than the budget are shaded at once
+            if (configured is StreamingRenderer) {
+                val heavy = case.halfHeavyAndDark()
+                Judgement(OneByOne(configured), heavy, "$how, primitives one by one").equalsReference()
+            }
 
             // The image's memory is at most what a frame without primitives takes, and at most what is held with any
             // budget

@@ -24,6 +24,7 @@ import dev.lazyz.conformance.oracle.Selection
 import dev.lazyz.conformance.probes.closeToAWall
 import dev.lazyz.conformance.probes.edgesAtTheEndsOfTiles
 import dev.lazyz.conformance.probes.longRasters
+import dev.lazyz.conformance.probes.wideMesh
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -76,6 +77,21 @@ public sealed interface SizeRules : RulesForOne {
         for (case in longRasters(salt)) {
             val expected = Judgement(renderer(), case).equalsReference().rendering.image
             val options = RenderOptions(tileSize = 8)
+            Judgement(renderer().configured(options), case, "$options").equalsPicture(expected)
+        }
+    }
+
+    /** A mesh of small and larger triangles gives the same picture with tiles of every size. */
+    @Rule(
+        intent = "The size of tiles changes no bit, however many samples and triangles a tile has.",
+        look = "Look for places within a tile in too few bits, and for tiles at the right and lower edge.",
+    )
+    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_7_5_tilesOfEverySizeGiveTheSamePicture(@ForAll salt: Long) {
+        val case = wideMesh(salt)
+        val expected = Judgement(renderer(), case).equalsReference().rendering.image
+        for (shift in 3..9) {
+            val options = RenderOptions(tileSize = 1 shl shift)
             Judgement(renderer().configured(options), case, "$options").equalsPicture(expected)
         }
     }

@@ -7,6 +7,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Stripe
+import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.judgement.Judgement
@@ -41,10 +42,11 @@ public sealed interface StreamingRules : RulesForOne {
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_10_primitivesOneByOneGiveTheSamePicture(
-        @ForAll(supplier = MixedCases::class) case: FrameCase,
+        @ForAll(supplier = MixedCases::class) whole: FrameCase,
         @ForAll choice: Int,
     ) {
         val renderer = requireStreaming(renderer())
+        val case = if (choice % 2 == 0) whole else whole.withinAny(Random(choice.toLong()))
         Judgement(OneByOne(renderer), case, "primitives one by one").equalsReference().rowsInOrder()
 
         // With glass, which a renderer that does not blend refuses, and continues without
@@ -56,9 +58,12 @@ public sealed interface StreamingRules : RulesForOne {
             .equalsPicture(Rendering.of(ReferenceRenderer(), expected).image)
     }
 
-    /** All primitives that arrive one by one are counted, although most of them are hidden and need not be kept. */
+    /**
+     * All primitives that arrive one by one are counted and have the index of their arrival, although most of them are
+     * hidden and need not be kept.
+     */
     @Rule(
-        intent = "The counter of primitives is the number of those that were added.",
+        intent = "The counter of primitives is the number of those that were added, and an index counts all of them.",
         look = "Count in add, not in finish: what is left then are the primitives that were kept.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -67,7 +72,10 @@ public sealed interface StreamingRules : RulesForOne {
         for (step in listOf(1, -1)) {
             val drawing = renderer.begin(Raster(4, 4))
             repeat(MANY) { drawing.add(Stripe(0..3, 0..3, 2 * MANY + step * it)) }
-            val counted = drawing.finish { _, _, _, _ -> }.primitives
+            val visible = if (step > 0) 0 else MANY - 1
+            val counted = drawing.finish { y, _, _, primitive ->
+                if (primitive[0] != visible) fail(renderer, "row $y shows primitive ${primitive[0]}, not $visible")
+            }.primitives
             if (counted != MANY.toLong()) fail(renderer, "$MANY primitives were added, but $counted are counted")
         }
     }
@@ -81,7 +89,10 @@ public sealed interface StreamingRules : RulesForOne {
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_streamedFramesGiveTheSamePicture(@ForAll salt: Long) {
-        for (threads in 1..2) streamedIsTheSame(renderer().configured(RenderOptions(threads = threads)), salt)
+        val renderer = renderer()
+        for (options in listOf(RenderOptions(threads = 1), RenderOptions(threads = 2, bandBytes = BAND_BYTES))) {
+            streamedIsTheSame(renderer.configured(options.supportedBy(renderer)), salt)
+        }
     }
 
     /** A picture that is complete, or whose primitive failed, takes no more primitives and delivers no more rows. */
@@ -122,6 +133,9 @@ public sealed interface StreamingRules : RulesForOne {
     private companion object {
         /** More than renderers collect before they draw. */
         const val MANY = 40_000
+
+        /** A few rows of a small picture. */
+        const val BAND_BYTES = 1000L
 
         /** Exclusive limit of the number of calls that a primitive answers before it throws. */
         const val MOST_CALLS = 6

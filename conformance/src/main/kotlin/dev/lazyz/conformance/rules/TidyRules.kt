@@ -4,6 +4,7 @@ import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.probes.leavesNothingBehind
 import dev.lazyz.conformance.probes.memory.leavesNoObjects
+import dev.lazyz.conformance.probes.memory.leavesNoSizes
 import net.jqwik.api.Property
 
 /** Rules about side effects of a rendering. Part of `RendererConformance`. */
@@ -20,15 +21,17 @@ public sealed interface TidyRules : RulesForOne {
         for (options in VARIED) leavesNothingBehind { renderer().let { it.configured(options.supportedBy(it)) } }
     }
 
-    /** However often a renderer renders, it holds no more memory. */
+    /** However often a renderer renders, and pictures of however many sizes, it holds no more memory. */
     @Rule(
         intent = "A renderer may be used a million times in a process, so not even a few bytes may remain each time.",
-        look = "Look for static collections, listeners, shutdown hooks and caches to which each rendering adds.",
+        look = "Look for static collections, listeners, shutdown hooks and caches to which each rendering adds, " +
+            "and for pools of arrays by their length.",
     )
     @Property(tries = 1)
     public fun rule_7_9_renderingsHoldNoMoreMemory() {
         val renderer = renderer()
         for (options in VARIED) leavesNoObjects(renderer, options.supportedBy(renderer))
+        leavesNoSizes(renderer, VARIED.first().supportedBy(renderer))
     }
 
     private companion object {

@@ -129,6 +129,19 @@ object BrokenPromises {
                 .also { change(it, threads) }.build()
         }
 
+    fun budgetIgnoredBySteps(): BrokenRenderer = budgetIgnoredBySteps(RenderOptions())
+
+    private fun budgetIgnoredBySteps(options: RenderOptions): BrokenRenderer {
+        val steps = options.coherence != Coherence.DIRECT
+        val hybrid = Hybrid(if (steps) options.withoutMemoryBudget() else options)
+        return BrokenRenderer(
+            "budget-ignored-by-steps",
+            setOf(Capability.MEMORY_BUDGET, Capability.COHERENCE),
+            { budgetIgnoredBySteps(it) },
+            how = hybrid::render,
+        )
+    }
+
     fun budgetIgnored() = claiming("budget-ignored", Capability.MEMORY_BUDGET, Hybrid())
 
     /** Without memory for a suspension, the sample stays unchanged. */

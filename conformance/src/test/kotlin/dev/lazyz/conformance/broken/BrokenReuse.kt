@@ -117,6 +117,41 @@ internal object BrokenReuse {
         }
     }
 
+    /** Numbers primitives of a later group by their place in it. */
+    fun numbersALastGroup() = BrokenStreams.stream("stream-numbers-a-last-group") { begin ->
+        val drawing = begin()
+        object : Drawing by drawing {
+            override fun finish(sink: RowSink): Counters = drawing.finish { y, argb, depth, primitive ->
+                sink.row(y, argb, depth, IntArray(primitive.size) { primitive[it] % GROUP })
+            }
+        }
+    }
+
+    /** A place within a tile has 16 bits, and those of tiles of 512 x 512 samples need more. */
+    fun placesOf16Bits(): BrokenRenderer = placesOf16Bits(RenderOptions())
+
+    private fun placesOf16Bits(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "places-of-16-bits",
+        options = { placesOf16Bits(it) },
+    ) { frame, sink ->
+        val side = options.tileSize
+        val image = ZBuffer().render(frame)
+        emit(
+            image.with { place, value, empty ->
+                val inTile = place / frame.width % side * side + place % frame.width % side
+                if (inTile < 1 shl 16) value else empty
+            },
+            sink,
+        )
+    }
+
+    /** Loses a triangle of many where a region begins within a block of eight rows. */
+    fun losesATriangleOfBlocks() = BrokenRenderer("loses-a-triangle-of-blocks") { frame, sink ->
+        val isLost = frame.region.rowStart % 8 != 0 && frame.primitives.size > MANY_TRIANGLES
+        val left = if (isLost) frame.primitives.drop(1) else frame.primitives
+        ZBuffer().render(Frame(frame.raster, left, frame.region), sink)
+    }
+
     /** Streamed frames are drawn part by part, and the primitives of each part are numbered from 0. */
     fun numbersEachPart() = BrokenRenderer("numbers-each-part") { frame, sink ->
         val image = ZBuffer().render(frame)
@@ -136,5 +171,6 @@ internal object BrokenReuse {
     private const val BAND = 64
     private const val FEW_SPANS = 500
     private const val GROUP = 1 shl 14
+    private const val MANY_TRIANGLES = 80
     private const val PART = 2
 }

@@ -177,6 +177,14 @@ object BrokenStreams {
         }
     }
 
+    fun ignoresTheRegion(): BrokenRenderer = WholeStream()
+
+    private class WholeStream :
+        BrokenRenderer("stream-ignores-the-region", how = { frame, sink -> ZBuffer().render(frame, sink) }),
+        StreamingRenderer {
+        override fun begin(raster: Raster, region: Region): Drawing = ZBuffer().begin(raster, raster.region)
+    }
+
     fun ignoresOptions(): BrokenRenderer =
         object : BrokenRenderer("ignores-options", how = { frame, sink -> ZBuffer().render(frame, sink) }) {
             override fun configured(options: RenderOptions): Renderer = this

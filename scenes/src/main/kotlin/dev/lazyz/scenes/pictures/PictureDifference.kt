@@ -51,7 +51,9 @@ public class PictureDifference private constructor(
                 "the sizes differ: expected ${expected.width}x${expected.height}, " +
                     "but was ${actual.width}x${actual.height}"
 
-            isIdentical -> if (pixels == 1L) "the only pixel is the same" else "all ${readable(pixels)} pixels are the same"
+            isIdentical && pixels == 1L -> "the only pixel is the same"
+
+            isIdentical -> "all ${readable(pixels)} pixels are the same"
 
             first == null -> "no pixel differs by more than ${readable(threshold)}\n$amount"
 

@@ -65,6 +65,7 @@ internal object PromisesGallery {
         Mutant(BrokenColours::countsWholeChains, "counts the steps of a row as one chain", steps),
         Mutant(BrokenStreams::forgetsTheLast, "draws a primitive when the next one arrives", oneByOne),
         Mutant(BrokenStreams::drawsOnOneCanvas, "draws two images in progress into one", oneByOne),
+        Mutant(BrokenStreams::ignoresTheRegion, "draws the whole raster if primitives come one by one", oneByOne),
         Mutant(BrokenStreams::countsTheRefused, "gives an index to a primitive that it refuses", oneByOne),
         Mutant(BrokenStreams::drawsTheTranslucent, "draws translucent primitives as opaque ones", oneByOne),
         Mutant(BrokenStreams::deliversAgain, "delivers an image again when it is finished twice", ended),
@@ -102,6 +103,11 @@ internal object PromisesGallery {
         Mutant(BrokenPromises::countsByThread, "counts work of its own for each thread", sums),
         Mutant(BrokenPromises::losesCounts, "loses the counts of all threads but one", sums),
         Mutant(BrokenPromises::budgetIgnored, "promises to stay within a budget, but ignores it", budget),
+        Mutant(
+            BrokenPromises::budgetIgnoredBySteps,
+            "promises to stay within a budget, but ignores it when shading steps along rows",
+            budget,
+        ),
         Mutant(
             BrokenPromises::noColoursWithoutBudget,
             "with a memory budget of 0, all colours are missing",

@@ -55,6 +55,8 @@ internal object RuleNames {
     val copies = RendererConformance::rule_5_2_duplicatesChangeNothing.name
     val order = RendererConformance::rule_5_4_orderIsIrrelevantWithoutTies.name
     val region = RendererConformance::rule_7_4_regionEqualsThatPartOfThePicture.name
+    val layersOfRegion = RendererConformance::rule_7_4_regionsOfManyLayersAreDrawnCorrectly.name
+    val tileSizes = RendererConformance::rule_7_5_tilesOfEverySizeGiveTheSamePicture.name
     val options = RendererConformance::rule_7_5_optionsChangeNothing.name
     val again = RendererConformance::rule_7_1_repeatedRenderingsAreIdentical.name
     val frames = RendererConformance::rule_7_1_userFramesAreDrawnCorrectly.name

@@ -41,6 +41,12 @@ internal object SizeGallery {
         Mutant(BrokenSizes::lastColumnOfATileOf64, "the last column of each tile of 64 x 64 samples is lost", tiles),
         Mutant(BrokenSizes::lastRowOfABandOf128, "the last row of each band of 128 rows is lost", tiles),
         Mutant(BrokenSizes::noTilesBeyondTheFirstOf256, "tiles of 256 right of or below the first are lost", tiles),
+        Mutant(BrokenReuse::placesOf16Bits, "a place within a tile has 16 bits", RuleNames.tileSizes),
+        Mutant(
+            BrokenReuse::losesATriangleOfBlocks,
+            "of many triangles one is lost where a region begins within a block of eight rows",
+            RuleNames.layersOfRegion,
+        ),
         Mutant(
             BrokenReuse::sortsByNineBits,
             "primitives are sorted by nine bits of the band in which they begin",

@@ -8,6 +8,7 @@ import java.nio.file.Files
 import java.util.Collections
 import java.util.Locale
 import java.util.TimeZone
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.CountDownLatch
 
 /** The gallery's part about side effects. */
@@ -29,6 +30,7 @@ internal object TidyGallery {
         Mutant(::spillsWideFrames, "a temporary file for each rendering of more than 1000 columns", RuleNames.tidy),
         Mutant(::addsAHook, "a shutdown hook for each rendering", RuleNames.leaks),
         Mutant(::keepsAHistory, "a list of the sizes of all frames", RuleNames.leaks),
+        Mutant(::poolsByWidth, "a row of numbers for each width of a frame", RuleNames.leaks),
         Mutant(
             BrokenFailures::renamesAfterFailures,
             "another name for the calling thread if the rendering fails",
@@ -43,6 +45,11 @@ internal object TidyGallery {
         Mutant(BrokenFailures::keepsFailures, "some bytes for each rendering that fails", RuleNames.leaks),
         Mutant(BrokenFailures::keepsConfigured, "a renderer for each set of options", RuleNames.leaks),
     )
+
+    private fun poolsByWidth(): BrokenRenderer {
+        val rows = ConcurrentHashMap<Int, IntArray>()
+        return having("pools-by-width") { frame -> rows.computeIfAbsent(frame.width) { IntArray(it) } }
+    }
 
     private fun prints() = having("prints") { println("rendering ${it.width} x ${it.height}") }
 
