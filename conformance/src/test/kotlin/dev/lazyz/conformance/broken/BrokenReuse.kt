@@ -108,6 +108,29 @@ internal object BrokenReuse {
         }
     }
 
+    /** With a budget, the colour 0 of a primitive that came alone stands for one that is still to be computed. */
+    fun zeroIsNoColour(): BrokenRenderer = ZeroIsNoColour(RenderOptions())
+
+    private class ZeroIsNoColour(private val options: RenderOptions) :
+        BrokenRenderer(
+            "zero-is-no-colour",
+            setOf(Capability.MEMORY_BUDGET),
+            how = { frame, sink -> Hybrid(options).render(frame, sink) },
+        ),
+        StreamingRenderer {
+        override fun configured(options: RenderOptions): Renderer = ZeroIsNoColour(options.requireSupportedBy(this))
+
+        override fun begin(raster: Raster, region: Region): Drawing {
+            val drawing = Hybrid(options).begin(raster, region)
+            if (options.memoryBudget == null) return drawing
+            return object : Drawing by drawing {
+                override fun finish(sink: RowSink): Counters = drawing.finish { y, argb, depth, primitive ->
+                    sink.row(y, IntArray(argb.size) { if (argb[it] == 0) WHITE else argb[it] }, depth, primitive)
+                }
+            }
+        }
+    }
+
     /** Counts the primitives of the last group. */
     fun countsALastGroup() = BrokenStreams.stream("stream-counts-a-last-group") { begin ->
         val drawing = begin()

@@ -16,19 +16,10 @@ private class HeavyAndDark(whole: Primitive) : Primitive by whole {
 }
 
 /** Returns the frame with every second primitive as [HeavyAndDark]. */
-internal fun FrameCase.halfHeavyAndDark(): FrameCase = FrameCase(
-    Frame(
-        frame.raster,
-        frame.primitives.mapIndexed { i, it ->
-            if (i % 2 ==
-                1
-            ) {
-                HeavyAndDark(it)
-            } else {
-                it
-            }
-        },
-        frame.region
-    ),
-    "$code // with every second primitive black, with alpha 0, and holding a megabyte",
-)
+internal fun FrameCase.halfHeavyAndDark(): FrameCase {
+    val primitives = frame.primitives.mapIndexed { index, it -> if (index % 2 == 1) HeavyAndDark(it) else it }
+    return FrameCase(
+        Frame(frame.raster, primitives, frame.region),
+        "$code // with every second primitive black, with alpha 0, and holding a megabyte",
+    )
+}

@@ -4,6 +4,7 @@ import dev.lazyz.conformance.broken.BrokenColours
 import dev.lazyz.conformance.broken.BrokenFailures
 import dev.lazyz.conformance.broken.BrokenPromises
 import dev.lazyz.conformance.broken.BrokenRenderers
+import dev.lazyz.conformance.broken.BrokenReuse
 import dev.lazyz.conformance.broken.BrokenStreams
 import dev.lazyz.conformance.broken.gallery.RuleNames.among
 import dev.lazyz.conformance.broken.gallery.RuleNames.arrivals
@@ -106,6 +107,11 @@ internal object PromisesGallery {
         Mutant(
             BrokenPromises::budgetIgnoredBySteps,
             "promises to stay within a budget, but ignores it when shading steps along rows",
+            budget,
+        ),
+        Mutant(
+            BrokenReuse::zeroIsNoColour,
+            "with a budget, takes the colour 0 for one that is still to be computed",
             budget,
         ),
         Mutant(
