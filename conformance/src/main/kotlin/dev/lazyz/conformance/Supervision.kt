@@ -62,10 +62,11 @@ public class Supervision @JvmOverloads constructor(
             val isInTime = try {
                 awaitEnd(process, follower)
             } finally {
-                process.destroyForcibly()
+                // Of a process that has ended, this would close the output before it is read
+                if (process.isAlive) process.destroyForcibly()
             }
             val code = process.waitFor()
-            reader.join(MOMENT)
+            reader.join(LAST_OUTPUT)
             val text = synchronized(printed) { printed.toString() }
             follower.goOn()
             if (isDone()) return Outcome(code, text)
@@ -122,6 +123,9 @@ public class Supervision @JvmOverloads constructor(
     private companion object {
         val GRACE: Duration = Duration.ofSeconds(30)
         const val MOMENT = 100L
+
+        /** Milliseconds for the output of a process that has ended. Its own children may keep the output open. */
+        const val LAST_OUTPUT = 2000L
         const val BUFFER = 4096
         const val MOST_PRINTED = 60_000
     }
