@@ -83,52 +83,40 @@ internal object BrokenReuse {
     }
 
     /** Takes primitives one by one and keeps all of them, whatever the budget. */
-    fun keepsHeavyPrimitives(): BrokenRenderer = Keeping(RenderOptions())
-
-    private class Keeping(private val options: RenderOptions) :
-        BrokenRenderer(
-            "keeps-heavy-primitives",
-            setOf(Capability.MEMORY_BUDGET),
-            how = { frame, sink -> Hybrid(options).render(frame, sink) },
-        ),
-        StreamingRenderer {
-        override fun configured(options: RenderOptions): Renderer = Keeping(options.requireSupportedBy(this))
-
-        override fun begin(raster: Raster, region: Region): Drawing {
-            val drawing = Hybrid(options).begin(raster, region)
-            val kept = ArrayList<Primitive>()
-            return object : Drawing {
-                override fun add(primitive: Primitive) {
-                    drawing.add(primitive)
-                    kept.add(primitive)
-                }
-
-                override fun finish(sink: RowSink): Counters = drawing.finish(sink).also { kept.clear() }
+    fun keepsHeavyPrimitives(): BrokenRenderer = BudgetStream("keeps-heavy-primitives") { _, drawing ->
+        val kept = ArrayList<Primitive>()
+        object : Drawing {
+            override fun add(primitive: Primitive) {
+                drawing.add(primitive)
+                kept.add(primitive)
             }
+
+            override fun finish(sink: RowSink): Counters = drawing.finish(sink).also { kept.clear() }
         }
     }
 
     /** With a budget, the colour 0 of a primitive that came alone stands for one that is still to be computed. */
-    fun zeroIsNoColour(): BrokenRenderer = ZeroIsNoColour(RenderOptions())
-
-    private class ZeroIsNoColour(private val options: RenderOptions) :
-        BrokenRenderer(
-            "zero-is-no-colour",
-            setOf(Capability.MEMORY_BUDGET),
-            how = { frame, sink -> Hybrid(options).render(frame, sink) },
-        ),
-        StreamingRenderer {
-        override fun configured(options: RenderOptions): Renderer = ZeroIsNoColour(options.requireSupportedBy(this))
-
-        override fun begin(raster: Raster, region: Region): Drawing {
-            val drawing = Hybrid(options).begin(raster, region)
-            if (options.memoryBudget == null) return drawing
-            return object : Drawing by drawing {
-                override fun finish(sink: RowSink): Counters = drawing.finish { y, argb, depth, primitive ->
-                    sink.row(y, IntArray(argb.size) { if (argb[it] == 0) WHITE else argb[it] }, depth, primitive)
-                }
+    fun zeroIsNoColour(): BrokenRenderer = BudgetStream("zero-is-no-colour") { options, drawing ->
+        object : Drawing by drawing {
+            override fun finish(sink: RowSink): Counters = drawing.finish { y, argb, depth, primitive ->
+                val wrong = if (options.memoryBudget == null) 0 else WHITE
+                sink.row(y, IntArray(argb.size) { if (argb[it] == 0) wrong else argb[it] }, depth, primitive)
             }
         }
+    }
+
+    /** Keeps to a budget, but draws primitives that come one by one into what [make] returns. */
+    private class BudgetStream(
+        id: String,
+        private val options: RenderOptions = RenderOptions(),
+        private val make: (RenderOptions, Drawing) -> Drawing,
+    ) : BrokenRenderer(id, setOf(Capability.MEMORY_BUDGET), how = Hybrid(options)::render),
+        StreamingRenderer {
+        override fun configured(options: RenderOptions): Renderer =
+            BudgetStream(id, options.requireSupportedBy(this), make)
+
+        override fun begin(raster: Raster, region: Region): Drawing =
+            make(options, Hybrid(options).begin(raster, region))
     }
 
     /** Counts the primitives of the last group. */
