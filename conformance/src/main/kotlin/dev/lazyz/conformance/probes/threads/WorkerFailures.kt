@@ -76,12 +76,17 @@ internal fun completesOrThrowsIfInterrupted(renderer: Renderer, isBefore: Boolea
     Judgement(renderer, quiet, "a thread that is interrupted $moment").fail(what, rendering.thrown)
 }
 
-/** Fails unless [renderer] returns the whole picture though a primitive interrupts its own threads. */
+/**
+ * Fails unless [renderer] returns the whole picture though a primitive interrupts its own threads. Which thread does
+ * what is different in each attempt.
+ */
 internal fun finishesIfWorkersAreInterrupted(renderer: Renderer) {
     val quiet = Workers.quiet()
-    val workers = Workers(Thread.currentThread()) { Thread.currentThread().interrupt() }
-    Judgement(renderer, FrameCase(workers.frame, "$quiet, which interrupt other threads than the caller"))
-        .equalsPictureOf(ReferenceRenderer())
+    repeat(ATTEMPTS) {
+        val workers = Workers(Thread.currentThread()) { Thread.currentThread().interrupt() }
+        Judgement(renderer, FrameCase(workers.frame, "$quiet, which interrupt other threads than the caller"))
+            .equalsPictureOf(ReferenceRenderer())
+    }
 }
 
 /**
