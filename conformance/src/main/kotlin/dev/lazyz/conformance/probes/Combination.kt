@@ -5,6 +5,7 @@ import dev.lazyz.Coherence
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.ALL_GLASS
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Rasters
@@ -55,6 +56,12 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
 
         /** The selector's name, or null for none. */
         val selection: String? = (List<String?>(USUAL) { null } + Selection.all.keys).chosen(first + 2)
+
+        /** Whether the primitives arrive one by one, if the renderer can take them so. */
+        private val isOneByOne: Boolean = listOf(false, false, true).chosen(first + 9)
+
+        /** Returns [renderer], or how it renders primitives that arrive one by one. */
+        fun way(renderer: Renderer): Renderer = if (isOneByOne) renderer.ways().last() else renderer
 
         /**
          * Returns the frame on a raster whose background is behind everything, in the middle, or in front of
@@ -107,7 +114,7 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
         const val MOST_FRAMES: Int = 3
 
         private const val OPTIONS = 5
-        private const val SHOT = 9
+        private const val SHOT = 10
 
         /** Number of default values per other value in a list of choices. */
         private const val USUAL = 8

@@ -4,13 +4,19 @@ import dev.lazyz.BatchShader
 import dev.lazyz.Fragment
 import dev.lazyz.FragmentBatch
 import dev.lazyz.Raster
+import dev.lazyz.Rgba
 import dev.lazyz.Shader
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureFilter
 import dev.lazyz.world.surface.Mesh
 import java.util.Random
+import org.joml.Vector3d
 
 // Meshes that are given on the screen, on rasters of several tiles
 
@@ -119,6 +125,46 @@ private fun someSurface(random: Random, material: Material): Mesh {
         uvs2 = if (uvs == null) null else some(6),
     )
 }
+
+/**
+ * An uneven sheet of triangles of a few samples, from the near left to the far right, and some large triangles above
+ * it. Each texture has a mip filter or none, and is read with footprints of less than a texel to many of them.
+ */
+internal fun textured(salt: Long): FrameCase {
+    val random = Random(salt)
+    val fine = random.nextInt(20) + 30
+    val sheet = grid(random, fine, height = 0f, unevenness = 0.3f)
+    val builder = Scene.builder().add(sheet)
+    repeat(random.nextInt(3) + 1) { builder.add(grid(random, cells = 2, height = 0.2f, unevenness = 1f)) }
+    val eye = Vector3d(-1.0, 0.5 + random.nextDouble(), 2.0)
+    builder.viewpoint(Camera.perspective(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 60.0, 0.1, 100.0))
+    val scene = builder.build()
+    return FrameCase(scene.frame(FEW, FEW), "textured(${salt}L)", scene)
+}
+
+/** Returns a mesh of [cells] x [cells] x 2 triangles, 2 units wide, whose heights and texture are random. */
+private fun grid(random: Random, cells: Int, height: Float, unevenness: Float): Mesh {
+    val side = cells + 1
+    val places = List(side * side) { (it % side).toFloat() / cells to (it / side).toFloat() / cells }
+    val density = listOf(0.5f, 2f, 8f)[random.nextInt(3)]
+    fun uneven() = unevenness * (random.nextFloat() - 0.5f) / cells
+    val positions = places.flatMap { (x, z) -> listOf(2 * x - 1 + uneven(), height + uneven(), 2 * z - 1 + uneven()) }
+    val uvs = places.flatMap { (x, z) -> listOf(density * (x + uneven()), density * (z + uneven())) }
+    val corners = (0..<cells * cells).flatMap {
+        val first = it / cells * side + it % cells
+        listOf(first, first + 1, first + side, first + side, first + 1, first + side + 1)
+    }
+    val texture = Texture(
+        TEXELS, TEXELS, IntArray(TEXELS * TEXELS) { random.nextInt() or Rgba.BLACK.toArgb() },
+        filter = TextureFilter.entries[random.nextInt(TextureFilter.entries.size)],
+        mipFilter = MipFilter.entries[random.nextInt(MipFilter.entries.size)],
+    )
+    val shading = if (random.nextBoolean()) Shading.CONSTANT else Shading.PHONG
+    val material = Material(texture = texture, shading = shading)
+    return Mesh(positions.toFloatArray(), corners.toIntArray(), material, uvs = uvs.toFloatArray())
+}
+
+private const val TEXELS = 16
 
 /** Sixteen tiles of 64, so that triangles can be wide. */
 private const val SIDE = 200

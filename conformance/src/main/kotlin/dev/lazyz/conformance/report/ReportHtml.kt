@@ -36,7 +36,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
         appendLine("<ol>")
         for (cause in causes) {
             val link = """<a href="#${cause.rule.name}">${escaped(cause.rule.name)}</a>"""
-            appendLine("<li>$link: ${escaped(cause.why)}<br>${escaped(cause.rule.look)}</li>")
+            appendLine("<li>$link: ${escaped(cause.why)}<br>${escaped(cause.look)}</li>")
         }
         appendLine("</ol>")
     }
@@ -79,7 +79,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
         }
         appendLine("<dl>")
         if (rule.intent.isNotEmpty()) entry("Why (${rule.level})", escaped(rule.intent))
-        if (rule.look.isNotEmpty()) entry("Look at", escaped(rule.look))
+        if (result.look.isNotEmpty()) entry("Look at", escaped(result.look))
         entry("Reproduce with", "<code>${escaped(report.commandFor(rule))}</code>")
         appendLine("</dl>")
         appendLine("</section>")

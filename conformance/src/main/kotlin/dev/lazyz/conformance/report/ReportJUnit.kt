@@ -70,7 +70,7 @@ internal class ReportJUnit(private val report: ConformanceReport) {
         result.message,
         result.failure?.message?.takeIf { it != result.message },
         result.rule.intent.takeIf { it.isNotEmpty() }?.let { "why: $it" },
-        result.rule.look.takeIf { it.isNotEmpty() }?.let { "look at: $it" },
+        result.look.takeIf { it.isNotEmpty() }?.let { "look at: $it" },
         "reproduce: ${report.commandFor(result.rule)}",
     ).joinToString("\n")
 

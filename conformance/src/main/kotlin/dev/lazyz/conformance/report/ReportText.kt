@@ -43,7 +43,7 @@ internal class ReportText(private val report: ConformanceReport, private val isO
         appendLine(if (causes.size == 1) "Likely cause" else "Likely causes, best first")
         for ((i, cause) in causes.withIndex()) {
             appendLine("  ${i + 1}. ${cause.rule}: ${cause.why}")
-            if (cause.rule.look.isNotEmpty()) appendLine("     ${cause.rule.look}")
+            if (cause.look.isNotEmpty()) appendLine("     ${cause.look}")
         }
     }
 
@@ -76,7 +76,7 @@ internal class ReportText(private val report: ConformanceReport, private val isO
         val failure = result.failure
         if (failure != null && failure.message != result.message) message(failure.message, result.rule)
         if (result.rule.intent.isNotEmpty()) appendLine("  why         ${result.rule.intent}")
-        if (result.rule.look.isNotEmpty()) appendLine("  look at     ${result.rule.look}")
+        if (result.look.isNotEmpty()) appendLine("  look at     ${result.look}")
         if (isOnDisk && failure?.code != null) appendLine("  scene file  ${sceneFile(failure, result.rule)}")
         appendLine("  reproduce   ${report.commandFor(result.rule)}")
     }
@@ -92,13 +92,8 @@ internal class ReportText(private val report: ConformanceReport, private val isO
         }
     }
 
-    private fun shortened(line: String): String = if (line.length >
-        MOST_COLUMNS
-    ) {
-        line.take(MOST_COLUMNS) + " ..."
-    } else {
-        line
-    }
+    private fun shortened(line: String): String =
+        if (line.length > MOST_COLUMNS) "${line.take(MOST_COLUMNS)} ..." else line
 
     private fun sceneFile(failure: RuleFailure, rule: SuiteRule): String =
         if (failure.sceneFile == null) NO_SCENE_FILE else "failures/$rule.json"

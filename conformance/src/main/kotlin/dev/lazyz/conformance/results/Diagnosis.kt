@@ -19,13 +19,13 @@ internal class Diagnosis private constructor(
     /** The likely causes, best first; empty if no rule is broken. */
     val causes: List<Cause>,
 ) {
-    /** A rule that is likely related to the mistake, and the reason [why], a clause. */
-    class Cause(val rule: SuiteRule, val why: String) {
+    /** A rule that is likely related to the mistake, the reason [why], a clause, and where to [look]. */
+    class Cause(val rule: SuiteRule, val why: String, val look: String) {
         override fun toString(): String = "$rule: $why"
     }
 
-    /** A broken rule and the symptoms of its failure; null if those are unknown. */
-    class Broken(val rule: SuiteRule, val symptoms: Set<Symptom>?) {
+    /** A broken rule, the symptoms of its failure, which are null if they are unknown, and where to [look]. */
+    class Broken(val rule: SuiteRule, val symptoms: Set<Symptom>?, val look: String = rule.look) {
         /**
          * How strongly this failure supports a mistake related to [symptom]: a log-likelihood ratio, positive if it
          * does.
@@ -51,14 +51,14 @@ internal class Diagnosis private constructor(
         /** Diagnoses [results], except waived ones. */
         fun of(results: List<RuleResult>): Diagnosis = ofBroken(
             results.filter { it.outcome != RuleOutcome.WAIVED }
-                .mapNotNull { result -> result.failure?.let { Broken(result.rule, it.symptoms) } },
+                .mapNotNull { result -> result.failure?.let { Broken(result.rule, it.symptoms, result.look) } },
         )
 
         /** Diagnoses the [broken] rules. */
         fun ofBroken(broken: List<Broken>): Diagnosis {
-            val scored = broken.map { it to score(it.rule, broken) }
-            val best = scored.sortedByDescending { (_, score) -> score }.take(MOST_CAUSES)
-            return Diagnosis(best.map { (it, _) -> Cause(it.rule, why(it.rule, broken)) })
+            val scores = broken.associateWith { score(it.rule, broken) }
+            val best = broken.sortedWith(compareBy({ -scores.getValue(it) }, { it.rule.isSpecial })).take(MOST_CAUSES)
+            return Diagnosis(best.map { Cause(it.rule, why(it.rule, broken), it.look) })
         }
 
         private fun score(rule: SuiteRule, broken: List<Broken>): Double {

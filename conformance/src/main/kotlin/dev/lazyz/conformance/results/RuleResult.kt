@@ -84,7 +84,15 @@ public class RuleResult internal constructor(
     public val distribution: Distribution,
     public val failure: RuleFailure?,
 ) {
+    /** Where to look in the renderer, in one sentence; empty if not known. */
+    internal val look: String get() = if (outcome == RuleOutcome.TIMED_OUT) WHERE_IT_HANGS else rule.look
+
     override fun toString(): String = "$rule: ${outcome.words}"
+
+    private companion object {
+        const val WHERE_IT_HANGS = "The stack in the message says where it is: look for a loop that does not end, or " +
+            "for a thread that waits for what never comes."
+    }
 }
 
 /**

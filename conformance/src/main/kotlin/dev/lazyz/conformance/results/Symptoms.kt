@@ -57,7 +57,9 @@ internal object Symptoms {
         val frame = case.frame
         val raster = frame.raster
         if (raster.depthTest != raster.convention.nearest) symptoms.add(Symptom.DEPTH_TEST)
-        if (Rasters.behindAll(raster.depthTest) == 0) symptoms.add(Symptom.GREATEST_WINS)
+        val behind = Rasters.behindAll(raster.depthTest)
+        if (behind != Rasters.behindAll(raster.convention.nearest)) symptoms.add(Symptom.AGAINST_CONVENTION)
+        if (behind == 0) symptoms.add(Symptom.GREATEST_WINS)
         if (frame.region != raster.region) symptoms.add(Symptom.REGION)
         if (frame.hasTranslucency) symptoms.add(Symptom.TRANSLUCENT)
         if (frame.primitives.any { it is Confetti }) symptoms.add(Symptom.OWN_PRIMITIVE)

@@ -39,8 +39,10 @@ public sealed interface CombinationRules : RulesForOne {
 
             Turns.AT_ONCE -> {
                 val capabilities = renderer.capabilities
-                val shown = combination.shots.map { it.caseFor(capabilities) }
-                atOnce(shown) { Judgement(usual, it, "$options, ${shown.size} frames at once").equalsReference() }
+                val how = "$options, ${combination.shots.size} frames at once"
+                atOnce(combination.shots) {
+                    Judgement(it.way(usual), it.caseFor(capabilities), how).equalsReference()
+                }
             }
         }
     }
@@ -55,21 +57,22 @@ public sealed interface CombinationRules : RulesForOne {
             return
         }
         shot.accident?.let { failsAsPlanned(usual, case, Trap(case.frame, it, shot.patience)) }
+        val way = shot.way(usual)
         val judgement = try {
-            Judgement(usual, case, "$options").equalsReference().rowsInOrder()
+            Judgement(way, case, "$options").equalsReference().rowsInOrder()
         } catch (e: Violation) {
-            throw explained(e, options, case)
+            throw explained(e, shot.way(renderer().configured(options)), options, case)
         }
-        counts(judgement, case, renderer.capabilities, options)
+        counts(judgement, case, renderer.capabilities, options, isWhole = way === usual)
     }
 
     /**
-     * Returns the violation that a new renderer shows for [case], or, if a new renderer is correct, [found] with a
+     * Returns the violation that [fresh], a new renderer, shows for [case], or, if it is correct, [found] with a
      * message that says that the failure comes from the renderer's earlier use.
      */
-    private fun explained(found: Violation, options: RenderOptions, case: FrameCase): Violation {
+    private fun explained(found: Violation, fresh: Renderer, options: RenderOptions, case: FrameCase): Violation {
         try {
-            Judgement(renderer().configured(options), case, "$options").equalsReference()
+            Judgement(fresh, case, "$options").equalsReference()
         } catch (e: Violation) {
             return e
         }
@@ -82,16 +85,18 @@ public sealed interface CombinationRules : RulesForOne {
         )
     }
 
+    /** Checks the counters. Without the [isWhole] frame a renderer may shade what later primitives hide. */
     private fun counts(
         judgement: Judgement,
         case: FrameCase,
         capabilities: Set<Capability>,
         options: RenderOptions,
+        isWhole: Boolean,
     ) {
         val counters = judgement.rendering.counters
         val visible = judgement.rendering.image.visible
         val isExact = Capability.SHADES_ONLY_VISIBLE in capabilities && options.memoryBudget == null &&
-            !case.frame.hasTranslucency
+            !case.frame.hasTranslucency && isWhole
         val isRight = counters.primitives == case.frame.primitives.size.toLong() &&
             (if (isExact) counters.shadingCalls == visible.toLong() else counters.shadingCalls >= visible)
         if (!isRight) {

@@ -41,6 +41,7 @@ public sealed interface PointRules : RulesForOne {
         intent = "Translucent points and lines blend as polygons do.",
         look = "Sort a sample's fragments by their keys, regardless of the kind of primitive.",
         about = [Symptom.TRANSLUCENT],
+        isSpecial = true,
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_pointsAndLinesBlend(@ForAll(supplier = BlendedPointCases::class) case: FrameCase) {

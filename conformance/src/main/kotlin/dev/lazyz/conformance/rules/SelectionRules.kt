@@ -85,6 +85,7 @@ public sealed interface SelectionRules : RulesForOne {
     @Rule(
         intent = "A sample has any number of fragments, and a selector can use all of them.",
         look = "Look for a limit on the fragments of a cell, and for counts of them in a byte.",
+        isSpecial = true,
     )
     @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_selectorsChooseAmongAThousandFragments(

@@ -16,6 +16,7 @@ import dev.lazyz.conformance.frames.TranslucentCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.probes.surfacesOfOneShader
+import dev.lazyz.conformance.probes.textured
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -45,6 +46,7 @@ public sealed interface ShadingRules : RulesForOne {
         look = "Skip alpha 0 before multiplying, stop at transmittance 0, and do not divide by a sum of weights that " +
             "is 0.",
         about = [Symptom.TRANSLUCENT],
+        isSpecial = true,
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_extremesOfLightAndAlphaBlend(@ForAll(supplier = TranslucentCases::class) case: FrameCase) {
@@ -58,6 +60,7 @@ public sealed interface ShadingRules : RulesForOne {
         intent = "Blending is rounded as defined at every step, however little light a layer lets through.",
         look = "Add in single precision, from near to far, until transmittance is exactly 0; divide once, at the end.",
         about = [Symptom.TRANSLUCENT],
+        isSpecial = true,
     )
     @Property(tries = 4, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_sumsAreRoundedAsDefined(@ForAll salt: Long) {
@@ -88,6 +91,7 @@ public sealed interface ShadingRules : RulesForOne {
         intent = "A colour that a primitive does not set is opaque black, not that of the sample shaded before.",
         look = "Call Fragment.moveTo before each primitive and sample that is shaded; it resets the colour.",
         about = [Symptom.COLOR],
+        isSpecial = true,
     )
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_1_coloursThatAreNotSetAreBlack(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -111,6 +115,7 @@ public sealed interface ShadingRules : RulesForOne {
         intent = "A component is clamped to 0..1 and NaN becomes 0, whatever a shader computes.",
         look = "Pack with Fragment.toArgb, or compare so that NaN fails; casts and tables do not handle NaN.",
         about = [Symptom.COLOR],
+        isSpecial = true,
     )
     @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_4_coloursOfAnyBrightnessArePacked(@ForAll(supplier = MixedCases::class) case: FrameCase) {
@@ -145,5 +150,18 @@ public sealed interface ShadingRules : RulesForOne {
         @ForAll(supplier = LongRowCases::class) case: FrameCase,
     ) {
         Judgement(renderer(), case).equalsReference()
+    }
+
+    /** Textures with and without mip filters on meshes of small and of large triangles. */
+    @Rule(
+        intent = "A texture with a mip filter is read with the footprint of its own sample, however small its " +
+            "triangle is.",
+        look = "Compare the derivatives of the texture coordinates with those of Primitive.shade, also where many " +
+            "triangles are shaded together.",
+        about = [Symptom.COLOR],
+    )
+    @Property(tries = 8, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_6_6_texturesAreReadWithTheirOwnFootprints(@ForAll salt: Long) {
+        Judgement(renderer(), textured(salt)).equalsReference()
     }
 }

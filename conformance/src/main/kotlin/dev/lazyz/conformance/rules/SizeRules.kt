@@ -50,6 +50,7 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "A side has up to 262,144 samples: columns and rows need 18 bits, and the size of a raster needs 36.",
         look = "Look for columns and rows in 16 bits, and for row times width in 32; allocate only for the region.",
+        isSpecial = true,
     )
     @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_1_1_columnsAndRowsAreNotTruncated(@ForAll(supplier = FarAwayCases::class) case: FrameCase) {
@@ -71,6 +72,7 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "There can be thousands of tiles in a row or a column, and primitives are submitted in any order.",
         look = "Look for numbers of tiles in too few bits, and for a sort by row whose later passes are missing.",
+        isSpecial = true,
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_1_1_thousandsOfTilesAreDrawnCorrectly(@ForAll salt: Long) {
@@ -122,6 +124,7 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "A primitive can have as many spans in a row as there are columns, and a row as many edges.",
         look = "Look for numbers of spans, edges or intervals that are packed into fewer than 18 bits.",
+        isSpecial = true,
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_3_thousandsOfSpansAreDrawn() {
@@ -155,6 +158,7 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "The minimum is also correct for thousands of fragments, without deep recursion.",
         look = "Look for recursion from primitive to primitive, and for counts of fragments in a byte or a short.",
+        isSpecial = true,
     )
     @Property(tries = 6, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_nearestOfThousandsOfLayersIsVisible(
@@ -167,6 +171,7 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "A row has any number of fragments, also if the renderer processes it in pieces.",
         look = "Look for what a piece of a row knows of the spans that began in the piece before.",
+        isSpecial = true,
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_nearestOfAMillionFragmentsOfARowIsVisible() {
@@ -178,6 +183,7 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "Blending includes every fragment that shows through, however many there are.",
         look = "Look for a limit on the number of layers, and for fragments that are merged or dropped to save memory.",
+        isSpecial = true,
     )
     @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_dozensOfThinLayersBlend(
@@ -198,6 +204,7 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "Blending includes all fragments of a tile, a band or a picture, however many there are.",
         look = "Look for a store of fragments that is full, and for positions in it in 16 bits.",
+        isSpecial = true,
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_millionFragmentsBlend() {
@@ -211,6 +218,7 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "Blending includes a thousand fragments as it includes two.",
         look = "Look for a limit on the number of layers, and for counts of them in a byte.",
+        isSpecial = true,
     )
     @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_thousandThinLayersBlend(@ForAll(supplier = ThousandLayersCases::class) case: FrameCase) {
@@ -223,6 +231,7 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "Indices have 31 bits: those above 2^24 are neither rounded to a float nor cut to 24 bits.",
         look = "Look at keys that pack fewer than 31 bits of index, and at indices in floating point.",
+        isSpecial = true,
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_4_indicesAboveTwoToThe24AreExact(@ForAll(supplier = TwoRowsCases::class) case: FrameCase) {

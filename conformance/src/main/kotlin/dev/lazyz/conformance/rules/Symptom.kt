@@ -46,6 +46,9 @@ public enum class Symptom(
     /** The raster requests a depth test other than the default one of its convention. */
     DEPTH_TEST("the depth test is not the default one", 0.25),
 
+    /** The convention says that smaller depths are nearer, and the greatest depth wins, or the other way round. */
+    AGAINST_CONVENTION("the depth test contradicts the convention", 0.1),
+
     /** The greatest depth wins. */
     GREATEST_WINS("the greatest depth wins", 0.5),
 

@@ -26,6 +26,7 @@ public sealed interface WorkerRules : RulesForOne {
         intent = "A failure in any thread reaches the caller, including errors.",
         look = "Catch Throwable in each thread, rethrow the first in the caller's thread, and deliver no " +
             "half-finished row.",
+        isSpecial = true,
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_failuresInThreadsReachTheCaller() {
@@ -48,6 +49,7 @@ public sealed interface WorkerRules : RulesForOne {
             "wrong.",
         look = "Look at each join, get, await and acquire: after InterruptedException the other threads are not " +
             "finished.",
+        isSpecial = true,
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_interruptedCallersGetNoHalfPicture() {
@@ -80,6 +82,7 @@ public sealed interface WorkerRules : RulesForOne {
         intent = "Any number of threads gives the same bits, however their work is interleaved.",
         look = "Look for keys that are read, compared and written without a lock, and for rows, spans and fragments " +
             "that threads share.",
+        isSpecial = true,
     )
     @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_concurrentThreadsLoseNoFragments(@ForAll salt: Long) {
@@ -101,6 +104,7 @@ public sealed interface WorkerRules : RulesForOne {
         intent = "Counters are exact, however many threads count.",
         look = "Give each thread its own counters and add them up at the end; an increment is a read and a write.",
         about = [Symptom.COUNTERS],
+        isSpecial = true,
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_concurrentThreadsLoseNoCounts(@ForAll salt: Long) {

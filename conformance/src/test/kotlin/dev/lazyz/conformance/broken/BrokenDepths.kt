@@ -1,6 +1,7 @@
 package dev.lazyz.conformance.broken
 
 import dev.lazyz.Depth
+import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
@@ -91,6 +92,13 @@ object BrokenDepths {
             val before = ZBuffer().render(frame.keeping { it < index })
             before.depth.any { if (isLeast) primitive.leastDepth < it else primitive.greatestDepth > it }
         }
+    }
+
+    /** Rejects a primitive that would be behind the background if the convention decided, and not the test. */
+    fun rejectsByConvention() = drawing("rejects-by-the-convention") { frame ->
+        val raster = frame.raster
+        if (raster.convention == DepthConvention.LARGER_IS_NEARER) return@drawing frame
+        frame.keeping { frame.primitives[it].leastDepth <= raster.backgroundDepth }
     }
 
     private const val FEW = 100

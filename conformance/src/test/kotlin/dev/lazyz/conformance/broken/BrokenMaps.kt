@@ -6,6 +6,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.Shader
 import dev.lazyz.ShadingCursor
 import dev.lazyz.strategies.lazy.LazyZBuffer
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.material.MipFilter
 
 /** Renderers that are correct except for maps, metallic-roughness materials and tone mapping. */
@@ -35,6 +36,23 @@ object BrokenMaps {
                 shader.shade(it)
             }
         }
+    }
+
+    /** In fine meshes, derivatives of the sample that was shaded before, which is often one of another triangle. */
+    fun footprintOfANeighbour() = BrokenRenderer("footprint-of-a-neighbour") { frame, sink ->
+        val last = Footprint()
+        val isFine = frame.primitives.size > 1000
+        val change = { inside: Inside, changes: Changes ->
+            inside.reshade(changes) { shader ->
+                Shader {
+                    val own = Footprint(it)
+                    if (isFine && last.isKnown) last.copyTo(it)
+                    last.copy(own)
+                    shader.shade(it)
+                }
+            }
+        }
+        BrokenShading.changed(frame, change) { ZBuffer().render(frame, sink) }
     }
 
     /** The normal that a map has made is the one that the map changes at the next sample. */

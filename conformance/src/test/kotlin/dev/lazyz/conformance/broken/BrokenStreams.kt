@@ -12,6 +12,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.NothingThere
+import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /** Renderers that are right for frames, but wrong for primitives that arrive one by one, or for unsupported options. */
@@ -183,6 +184,34 @@ object BrokenStreams {
         BrokenRenderer("stream-ignores-the-region", how = { frame, sink -> ZBuffer().render(frame, sink) }),
         StreamingRenderer {
         override fun begin(raster: Raster, region: Region): Drawing = ZBuffer().begin(raster, raster.region)
+    }
+
+    /** What arrives one by one waits for others, for each thread one, and what still waits at the end is forgotten. */
+    fun forgetsWhatWaits(): BrokenRenderer = WaitingStream(1)
+
+    private class WaitingStream(private val threads: Int) :
+        BrokenRenderer(
+            "stream-forgets-what-waits",
+            setOf(Capability.PARALLEL),
+            { WaitingStream(it.threads) },
+            { frame, sink -> Tiled(RenderOptions(threads = threads)).render(frame, sink) },
+        ),
+        StreamingRenderer {
+        override fun begin(raster: Raster, region: Region): Drawing {
+            val drawing = ZBuffer().begin(raster, region)
+            val waiting = ArrayList<Primitive>()
+            return object : Drawing {
+                override fun add(primitive: Primitive) {
+                    require(!primitive.isTranslucent) { "primitive 0 is translucent: make it opaque" }
+                    waiting.add(primitive)
+                    if (waiting.size < threads) return
+                    waiting.forEach(drawing::add)
+                    waiting.clear()
+                }
+
+                override fun finish(sink: RowSink): Counters = drawing.finish(sink)
+            }
+        }
     }
 
     fun ignoresOptions(): BrokenRenderer =

@@ -117,6 +117,14 @@ class DiagnosisTest {
     }
 
     @Test
+    fun whatIsUsualIsNamedBeforeWhatIsRare() {
+        val glass = arrayOf(Symptom.PICTURE, Symptom.TRANSLUCENT)
+        val causes = causes(broken(names.extremes, *glass), broken(names.blend, *glass))
+        assertEquals(listOf(names.blend, names.extremes), causes)
+        assertEquals(listOf(names.extremes), causes(broken(names.extremes, *glass)))
+    }
+
+    @Test
     fun reportBeginsWithTheCauseAndIsShortHoweverMuchFails() {
         val suite = Conformance { BrokenRenderers.lastWinsTies() }.tries(0.02).withoutShrinking()
         for (rule in SuiteRun.quickRules) suite.rule(rule)

@@ -7,6 +7,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.conformance.NotMadeException
+import dev.lazyz.conformance.broken.BrokenFailures
 import dev.lazyz.conformance.broken.PlainRenderer
 import dev.lazyz.conformance.broken.WrongColors
 import dev.lazyz.conformance.broken.gallery.RunGallery
@@ -51,6 +52,7 @@ class RunTest {
             assertTrue(".RunGallery" in result.message, result.message)
             assertTrue("\nin\nFrameBuilder(Raster(" in result.message, result.message)
             assertTrue(result.failure?.code.orEmpty() in result.message)
+            assertTrue("a loop that does not end" in result.look, result.look)
         }
     }
 
@@ -134,6 +136,15 @@ class RunTest {
             assertTrue(failure.before.isNotEmpty(), renderer.id)
             assertTrue(failure.message !in result.message, "reports print both messages: ${result.message}")
         }
+    }
+
+    @Test
+    fun reportOfAFailureInterruptsNobody() {
+        val report = Conformance { BrokenFailures.stopsInterruptedWorkers() }
+            .rule("rule_7_8_interruptedWorkersFinishTheirWork").run()
+        assertOutcome(RuleOutcome.FAILED, report.results.single())
+        assertTrue("Likely cause" in report.toText(), report.toText())
+        assertFalse(Thread.interrupted())
     }
 
     @Test

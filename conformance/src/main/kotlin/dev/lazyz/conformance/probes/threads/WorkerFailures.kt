@@ -83,9 +83,15 @@ internal fun completesOrThrowsIfInterrupted(renderer: Renderer, isBefore: Boolea
 internal fun finishesIfWorkersAreInterrupted(renderer: Renderer) {
     val quiet = Workers.quiet()
     repeat(ATTEMPTS) {
-        val workers = Workers(Thread.currentThread()) { Thread.currentThread().interrupt() }
-        Judgement(renderer, FrameCase(workers.frame, "$quiet, which interrupt other threads than the caller"))
-            .equalsPictureOf(ReferenceRenderer())
+        // Who looks at the frame of a failure afterwards is not interrupted
+        val isOver = AtomicBoolean()
+        val workers = Workers(Thread.currentThread()) { if (!isOver.get()) Thread.currentThread().interrupt() }
+        val case = FrameCase(workers.frame, "$quiet, which interrupt other threads than the caller")
+        try {
+            Judgement(renderer, case).equalsPictureOf(ReferenceRenderer())
+        } finally {
+            isOver.set(true)
+        }
     }
 }
 

@@ -43,6 +43,11 @@ internal object DepthAndOrderGallery {
             tests,
         ),
         Mutant(
+            BrokenDepths::rejectsByConvention,
+            "rejects what is behind the background by the convention, whatever the depth test",
+            tests, pairs,
+        ),
+        Mutant(
             BrokenDepths::signedKeys,
             "keys with the upper bit of depth are compared as if they were signed",
             nearest, scenes,

@@ -24,6 +24,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.stepping
 import dev.lazyz.conformance.broken.gallery.RuleNames.steps
 import dev.lazyz.conformance.broken.gallery.RuleNames.streams
 import dev.lazyz.conformance.broken.gallery.RuleNames.sums
+import dev.lazyz.conformance.broken.gallery.RuleNames.together
 import dev.lazyz.conformance.broken.gallery.RuleNames.told
 import dev.lazyz.conformance.broken.gallery.RuleNames.unpulled
 import dev.lazyz.conformance.broken.gallery.RuleNames.unsupported
@@ -67,6 +68,11 @@ internal object PromisesGallery {
         Mutant(BrokenStreams::forgetsTheLast, "draws a primitive when the next one arrives", oneByOne),
         Mutant(BrokenStreams::drawsOnOneCanvas, "draws two images in progress into one", oneByOne),
         Mutant(BrokenStreams::ignoresTheRegion, "draws the whole raster if primitives come one by one", oneByOne),
+        Mutant(
+            BrokenStreams::forgetsWhatWaits,
+            "with several threads, forgets the last of the primitives that come one by one",
+            together,
+        ),
         Mutant(BrokenStreams::countsTheRefused, "gives an index to a primitive that it refuses", oneByOne),
         Mutant(BrokenStreams::drawsTheTranslucent, "draws translucent primitives as opaque ones", oneByOne),
         Mutant(BrokenStreams::deliversAgain, "delivers an image again when it is finished twice", ended),

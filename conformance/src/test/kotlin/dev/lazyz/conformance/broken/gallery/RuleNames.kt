@@ -19,6 +19,7 @@ internal object RuleNames {
     val blended = RendererConformance::rule_5_5_translucentMaterialsBlendInOrderOfDepth.name
     val turned = RendererConformance::rule_6_5_normalsOfBackFacesAreTurnedToTheViewer.name
     val lit = RendererConformance::rule_6_5_litAndTexturedScenesAreShadedCorrectly.name
+    val footprints = RendererConformance::rule_6_6_texturesAreReadWithTheirOwnFootprints.name
     val refuse = RendererConformance::rule_5_6_renderersWithoutTransparencyRefuseTranslucentFrames.name
     val refuseHidden = RendererConformance::rule_5_6_hiddenTranslucentPrimitivesAreRefused.name
     val extremes = RendererConformance::rule_5_5_extremesOfLightAndAlphaBlend.name

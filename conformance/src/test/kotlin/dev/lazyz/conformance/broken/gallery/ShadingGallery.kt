@@ -4,6 +4,7 @@ import dev.lazyz.conformance.broken.BrokenLight
 import dev.lazyz.conformance.broken.BrokenMaps
 import dev.lazyz.conformance.broken.BrokenShading
 import dev.lazyz.conformance.broken.gallery.RuleNames.blended
+import dev.lazyz.conformance.broken.gallery.RuleNames.footprints
 import dev.lazyz.conformance.broken.gallery.RuleNames.lit
 import dev.lazyz.conformance.broken.gallery.RuleNames.options
 import dev.lazyz.conformance.broken.gallery.RuleNames.scenes
@@ -38,6 +39,11 @@ internal object ShadingGallery {
             BrokenMaps::footprintOfTheLastSample,
             "reads textures with the derivatives of the sample that was shaded before",
             lit, scenes,
+        ),
+        Mutant(
+            BrokenMaps::footprintOfANeighbour,
+            "reads textures of fine meshes with the derivatives of the sample that was shaded before",
+            footprints,
         ),
         Mutant(
             BrokenMaps::footprintOfAnotherSurface,
