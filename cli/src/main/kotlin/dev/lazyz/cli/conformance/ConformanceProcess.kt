@@ -53,13 +53,9 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
 
     private fun command(args: List<String>, seed: Long): List<String> {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-        val options = ManagementFactory.getRuntimeMXBean().inputArguments.filter { option ->
-            NOT_INHERITED.none { option.startsWith(it) }
-        }
-        val collector = if (options.filter(COLLECTOR::matches).all { it == SERIAL }) EXACT_COLLECTOR else emptyList()
+        val options = inherited(ManagementFactory.getRuntimeMXBean().inputArguments)
         val own = listOf("-D$FOLDER=$folder", "-D$SEED=$seed", "-D$TEMPORARY=$temporary")
-        return listOf(java) + collector + options + own + listOf("-cp", System.getProperty("java.class.path"), MAIN) +
-            args
+        return listOf(java) + options + own + listOf("-cp", System.getProperty("java.class.path"), MAIN) + args
     }
 
     /** The result of the child: [report] is the text to print, or null if [messages] contain an error. */
@@ -81,6 +77,12 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         /** JVM options that the child process must not inherit. */
         private val NOT_INHERITED =
             listOf("-agentlib:jdwp", "-XX:ArchiveClassesAtExit", "-Xlog:", "-D$FOLDER", "-D$SEED", "-D$TEMPORARY")
+
+        /** Returns the child's JVM options for a parent that has [options]: a collector that the user chose is kept. */
+        fun inherited(options: List<String>): List<String> {
+            val kept = options.filter { option -> NOT_INHERITED.none { option.startsWith(it) } }
+            return if (kept.filter(COLLECTOR::matches).all { it == SERIAL }) EXACT_COLLECTOR + kept else kept
+        }
 
         /** Returns the object for this process if it is a child process; null in the parent. */
         fun current(): ConformanceProcess? = System.getProperty(FOLDER)?.let { ConformanceProcess(Path.of(it)) }

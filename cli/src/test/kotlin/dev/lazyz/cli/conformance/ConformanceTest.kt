@@ -46,6 +46,18 @@ class ConformanceTest {
 
     private fun conformance(vararg words: Any) = judge("--tries", "0.05", *words)
 
+    /** The child process measures memory with the collector that users chose, or with the one that is exact. */
+    @Test
+    fun childKeepsAChosenCollector() {
+        val heap = listOf("-Xmx1g", "-XX:+UseStringDeduplication")
+        assertEquals(listOf("-XX:+UseZGC") + heap, ConformanceProcess.inherited(listOf("-XX:+UseZGC") + heap))
+        val exact = "-XX:MarkSweepAlwaysCompactCount=1"
+        for (serial in listOf(emptyList(), listOf("-XX:+UseSerialGC"))) {
+            val child = ConformanceProcess.inherited(serial + heap + "-Xlog:gc:file=gc.log")
+            assertEquals(listOf("-XX:+UseSerialGC", exact) + serial + heap, child)
+        }
+    }
+
     @Test
     fun strangerWhoConformsIsToldSo() {
         val jar = jar(CapableRenderer::class.java)
