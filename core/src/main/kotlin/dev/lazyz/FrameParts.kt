@@ -8,7 +8,7 @@ package dev.lazyz
  * @property hasTranslucency whether any primitive is translucent
  * @param parts returns the parts in order
  */
-internal class FrameParts(val size: Int, val hasTranslucency: Boolean, private val parts: () -> Iterator<FramePart>,) :
+internal class FrameParts(val size: Int, val hasTranslucency: Boolean, private val parts: () -> Iterator<FramePart>) :
     Iterable<FramePart> {
     override fun iterator(): Iterator<FramePart> = parts()
 

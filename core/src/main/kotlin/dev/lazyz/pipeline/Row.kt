@@ -31,7 +31,7 @@ import java.io.IOException
  *
  * @property y the row of the raster
  */
-public class Row internal constructor(private val frame: Frame, public val y: Int, private val coherence: Coherence,) {
+public class Row internal constructor(private val frame: Frame, public val y: Int, private val coherence: Coherence) {
     /**
      * The work for this row only: of the renderer to create it, and of later calls to shade it. Added up over all rows
      * with [Counters.plus], they are the counters of the whole rendering. The number of primitives is counted in the

@@ -65,9 +65,7 @@ internal class MeshCut(private val mesh: Mesh, plane: SectionPlane) {
                 val a = triangles[i + k]
                 val b = triangles[i + (k + 1) % 3]
                 if (!isOut(a)) outline[size++] = vertices.add(a, a, 0)
-                if (isOut(a) != isOut(b) &&
-                    heights[if (isOut(a)) b else a] != 0.0
-                ) {
+                if (isOut(a) != isOut(b) && heights[if (isOut(a)) b else a] != 0.0) {
                     outline[size++] = between(vertices, a, b)
                 }
             }

@@ -19,7 +19,7 @@ import dev.lazyz.world.material.Shading
  * That does not hold for numbers that are not finite; [illuminate] returns false where one occurs, and the caller has
  * to shade the fragments one by one. Immutable and thread safe.
  */
-internal class BatchLighting(viewer: Viewer, private val sources: LightSources, visibility: AmbientVisibility?,) {
+internal class BatchLighting(viewer: Viewer, private val sources: LightSources, visibility: AmbientVisibility?) {
     private val vectors = LightVectors(viewer, sources, visibility)
 
     /**

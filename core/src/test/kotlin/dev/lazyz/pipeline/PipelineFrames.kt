@@ -136,7 +136,7 @@ private class Cloud(private val seed: Int, width: Int, height: Int) : Primitive 
 }
 
 /** A rectangle of constant depth that records the calls. */
-internal class Witness(private val region: Region, private val depth: Int, private val onRow: (Int) -> Unit = {},) :
+internal class Witness(private val region: Region, private val depth: Int, private val onRow: (Int) -> Unit = {}) :
     Primitive {
     /** Rows at which cursors began. */
     val cursors = ArrayList<Int>()

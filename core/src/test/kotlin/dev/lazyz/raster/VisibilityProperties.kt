@@ -125,9 +125,7 @@ class VisibilityProperties {
         val builder = FrameBuilder(raster)
         repeat(8) { i ->
             val contour = DoubleArray(9) {
-                if (it % 3 ==
-                    2
-                ) {
+                if (it % 3 == 2) {
                     (i + 0.5 * random.nextDouble()) / 8
                 } else {
                     random.nextInt(40) - 10.0
@@ -153,9 +151,7 @@ class VisibilityProperties {
         )
         val hidden = {
             DoubleArray(9) {
-                if (it % 3 ==
-                    2
-                ) {
+                if (it % 3 == 2) {
                     0.4 + 0.5 * random.nextDouble()
                 } else {
                     random.nextDouble() * 16

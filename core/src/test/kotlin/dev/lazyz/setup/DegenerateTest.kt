@@ -131,9 +131,7 @@ class DegenerateTest {
             repeat(40) {
                 val vertices = List(3 + random.nextInt(4)) {
                     val (x, y, z) = List(3) {
-                        if (random.nextInt(3) ==
-                            0
-                        ) {
+                        if (random.nextInt(3) == 0) {
                             random.nextDouble()
                         } else {
                             (random.nextDouble() * 2 - 1) * scale

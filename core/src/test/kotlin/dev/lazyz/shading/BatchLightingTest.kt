@@ -52,9 +52,7 @@ class BatchLightingTest {
     private fun material(shading: Shading): Material {
         var material = Material(
             color(), null, shading,
-            if (random.nextInt(4) ==
-                0
-            ) {
+            if (random.nextInt(4) == 0) {
                 Rgba.BLACK
             } else {
                 color()
@@ -184,9 +182,7 @@ class BatchLightingTest {
             val visibility =
                 if (random.nextBoolean()) {
                     AmbientVisibility { _, _, _, nx, _, _ ->
-                        if (nx >
-                            0f
-                        ) {
+                        if (nx > 0f) {
                             0.3f
                         } else {
                             0.6f

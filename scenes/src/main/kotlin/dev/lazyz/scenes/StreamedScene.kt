@@ -10,7 +10,7 @@ import java.io.Closeable
  *
  * @property loaded the scene, with a [StreamedMesh] for each mesh of the file, and warnings
  */
-public class StreamedScene internal constructor(public val loaded: LoadedScene, private val input: AutoCloseable,) :
+public class StreamedScene internal constructor(public val loaded: LoadedScene, private val input: AutoCloseable) :
     Closeable {
     /** Closes the file and deletes temporary files. Closing again does nothing. */
     override fun close(): Unit = input.close()

@@ -31,9 +31,7 @@ internal class StreamRequest(spool: Path?) {
      */
     fun requirePossible(request: RenderRequest) {
         val option = obstacle(request)
-        if (option !=
-            null
-        ) {
+        if (option != null) {
             throw Mistake("$option needs the whole model in memory; it cannot be combined with --stream")
         }
     }

@@ -115,9 +115,7 @@ internal class ContactSheet(
         fun usualColumns(count: Int, group: Int, cell: ImageSize): Int {
             if (group in 2..MAX_GROUP && count > group) return group
             var columns = 1
-            while (columns < count &&
-                columns * cell.width.toLong() < rows(count, columns) * cell.height.toLong()
-            ) {
+            while (columns < count && columns * cell.width.toLong() < rows(count, columns) * cell.height.toLong()) {
                 columns++
             }
             return columns

@@ -111,9 +111,7 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
             runCatching { Rendering.of(renderer.configured(recipe.options().supportedBy(renderer)), case.frame) }
         }
         val thrown = listOf(one, other).map { it.exceptionOrNull()?.javaClass?.name }
-        if (thrown[0] !=
-            thrown[1]
-        ) {
+        if (thrown[0] != thrown[1]) {
             return "the first threw ${thrown[0] ?: "nothing"}, the second ${thrown[1] ?: "nothing"}"
         }
         val images = listOf(one, other).map { it.getOrNull()?.image ?: return null }

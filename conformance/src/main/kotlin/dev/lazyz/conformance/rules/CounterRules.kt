@@ -77,9 +77,7 @@ public sealed interface CounterRules : RulesForOne {
 
         // A single primitive in front of a background that hides nothing cannot be rejected
         val raster = case.frame.raster
-        if (raster.depthTest != raster.convention.nearest ||
-            raster.backgroundDepth != raster.convention.farthest
-        ) {
+        if (raster.depthTest != raster.convention.nearest || raster.backgroundDepth != raster.convention.farthest) {
             return
         }
         for (index in case.frame.primitives.indices.take(MOST_ALONE)) {

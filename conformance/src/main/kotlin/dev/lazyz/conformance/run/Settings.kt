@@ -81,9 +81,7 @@ internal class Tally {
 
     /** Why the next rule is not run; null if it is. */
     val whyNoFurtherRule: String?
-        get() = if (timeOuts <
-            MOST_TIME_OUTS
-        ) {
+        get() = if (timeOuts < MOST_TIME_OUTS) {
             null
         } else {
             "$MOST_TIME_OUTS earlier rules timed out or ended the process"

@@ -38,9 +38,7 @@ object BrokenCoverage {
     fun tileColumnMissing() = misreading("tile-column-missing") { _, from, to ->
         for (i in 0 until from.count) {
             for (x in from.start(i) until from.end(i)) {
-                if (x % TILE <
-                    TILE - 1
-                ) {
+                if (x % TILE < TILE - 1) {
                     to.add(x, x + 1)
                 }
             }

@@ -196,9 +196,7 @@ object BrokenManners {
         frame.primitives.forEachIndexed { index, it -> first.putIfAbsent(it, index) }
         image.renumbered { index ->
             frame.primitives[index].let {
-                if (it.rowStart <
-                    it.rowEnd
-                ) {
+                if (it.rowStart < it.rowEnd) {
                     first.getValue(it)
                 } else {
                     index

@@ -116,9 +116,7 @@ class SetUpIsExactTest {
         /** Null for a polygon that covers nothing by rules 9.4 and 9.5. */
         fun exact(raster: Raster): ExactPolygon? {
             val contours = piece.contours
-            if (contours.sumOf { it.size } < 9 ||
-                contours.any { contour -> contour.any { !it.isFinite() } }
-            ) {
+            if (contours.sumOf { it.size } < 9 || contours.any { contour -> contour.any { !it.isFinite() } }) {
                 return null
             }
             return piece.exact(raster)

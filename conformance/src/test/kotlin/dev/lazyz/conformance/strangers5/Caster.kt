@@ -14,7 +14,7 @@ import dev.lazyz.Selector
  * that make it up, and a ray meets the nodes from its leaf to the root. Lists at nodes run from near to far, by the
  * bounds of primitives, so that a ray that only wants the nearest fragment leaves them early.
  */
-internal class Caster(private val options: RenderOptions = RenderOptions(), private val mistake: Mistake? = null,) :
+internal class Caster(private val options: RenderOptions = RenderOptions(), private val mistake: Mistake? = null) :
     Renderer {
     override val id: String get() = "caster5"
     override val summary: String get() = "rays through a segment tree of each row's spans"

@@ -12,7 +12,7 @@ import dev.lazyz.RowSink
  * and shaded afterwards, column by column. Several threads take bands; the caller takes part, and hands out finished
  * bands in order.
  */
-internal class Deferred(private val options: RenderOptions = RenderOptions(), private val mistake: Mistake? = null,) :
+internal class Deferred(private val options: RenderOptions = RenderOptions(), private val mistake: Mistake? = null) :
     Renderer {
     private var cached: DeferredBands? = null
 

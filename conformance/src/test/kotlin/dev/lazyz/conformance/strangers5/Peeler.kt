@@ -14,7 +14,7 @@ import java.util.concurrent.atomic.AtomicReference
  * Depth peeling within a budget: an image of keys for what is opaque, and then layer after layer of what is translucent
  * before it, for pieces of the image that are as large as the budget allows.
  */
-internal class Peeler(private val options: RenderOptions = RenderOptions(), private val mistake: Mistake? = null,) :
+internal class Peeler(private val options: RenderOptions = RenderOptions(), private val mistake: Mistake? = null) :
     Renderer {
     private val pool = AtomicReference<PeelerArrays?>()
 

@@ -40,9 +40,7 @@ internal class ActiveList(private val frame: Frame) {
     /** Adds the spans of row [y], which follows the row of the last call, to [fragments]. */
     fun moveTo(y: Int, fragments: RowFragments) {
         // Add the primitives that start at this row
-        while (arrived < arrivals.size &&
-            (arrivals[arrived] ushr 32).toInt() == y
-        ) {
+        while (arrived < arrivals.size && (arrivals[arrived] ushr 32).toInt() == y) {
             admit(arrivals[arrived++].toInt(), y)
         }
 

@@ -54,9 +54,7 @@ internal class Outline private constructor(val xs: IntArray, val ys: IntArray) {
         var count = 0
 
         fun add(x: Int, y: Int) {
-            while (count >= 2 &&
-                sign * turn(xs[count - 2], ys[count - 2], xs[count - 1], ys[count - 1], x, y) >= 0
-            ) {
+            while (count >= 2 && sign * turn(xs[count - 2], ys[count - 2], xs[count - 1], ys[count - 1], x, y) >= 0) {
                 count--
             }
             if (count == xs.size) {

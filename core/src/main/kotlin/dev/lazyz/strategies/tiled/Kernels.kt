@@ -21,9 +21,7 @@ internal enum class Kernels {
     ;
 
     /** Returns the loops that compute the coverage of small triangles. */
-    fun coverage(): SmallTriangleKernel = if (this ==
-        VECTOR
-    ) {
+    fun coverage(): SmallTriangleKernel = if (this == VECTOR) {
         VectorSmallTriangleKernel()
     } else {
         ScalarSmallTriangleKernel()

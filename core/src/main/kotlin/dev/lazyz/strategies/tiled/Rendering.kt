@@ -50,9 +50,7 @@ internal class Rendering(
     private val renderers = List(threadCount) { number ->
         TileRenderer(
             frame, grid, coherence, kernels,
-            if (number ==
-                0
-            ) {
+            if (number == 0) {
                 CancellationCheck(::passCallerCheckpoint)
             } else {
                 schedule

@@ -8,7 +8,7 @@ import kotlin.math.floor
  *
  * @property argb texels as in [Texture], in rows from the top
  */
-internal class TextureLevel(val width: Int, val height: Int, val argb: IntArray, val encoding: TextureEncoding,) {
+internal class TextureLevel(val width: Int, val height: Int, val argb: IntArray, val encoding: TextureEncoding) {
     init {
         require(width > 0 && height > 0) { "texture must have at least one texel: $width x $height" }
         require(argb.size.toLong() == width.toLong() * height) {

@@ -7,7 +7,7 @@ import dev.lazyz.Spans
 import java.util.Collections
 
 /** A rectangle of constant depth, without a form, that records the rows whose spans are requested. */
-internal class Probe(private val region: Region, private val onShade: (x: Int, y: Int) -> Unit = { _, _ -> },) :
+internal class Probe(private val region: Region, private val onShade: (x: Int, y: Int) -> Unit = { _, _ -> }) :
     Primitive {
     /** Rows whose spans were requested. */
     val rows: MutableList<Int> = Collections.synchronizedList(ArrayList<Int>())

@@ -325,9 +325,7 @@ class TiledMeshProperties {
         if (random.nextInt(8) == 0) positions[random.nextInt(positions.size)] = Float.NaN
 
         // Behind the eye, or behind the far plane
-        if (random.nextInt(4) ==
-            0
-        ) {
+        if (random.nextInt(4) == 0) {
             positions[3 * random.nextInt(3 * triangles) + 2] = if (random.nextBoolean()) 30f else -30f
         }
         return when (random.nextInt(3)) {

@@ -24,7 +24,7 @@ import java.nio.file.Path
  * @property width number of columns
  * @property height number of rows
  */
-public class Picture private constructor(public val width: Int, public val height: Int, private val pixels: Pixels,) {
+public class Picture private constructor(public val width: Int, public val height: Int, private val pixels: Pixels) {
     /**
      * Returns the pixel at column [x] and row [y], 16 bits a channel, `0xAAAARRRRGGGGBBBB`.
      *

@@ -14,9 +14,7 @@ internal class PpmDecoder private constructor(private val bytes: ByteArray, priv
         val width = number("width", MOST_SIDE)
         val height = number("height", MOST_SIDE)
         val most = number("maximum", UShort.MAX_VALUE.toInt())
-        if (most !=
-            BYTE_MAX
-        ) {
+        if (most != BYTE_MAX) {
             fail("its maximum is $most, and only $BYTE_MAX can be read", "save it with 8 bits a channel")
         }
 
@@ -44,9 +42,7 @@ internal class PpmDecoder private constructor(private val bytes: ByteArray, priv
     private fun skipSpace() {
         while (next < bytes.size) {
             val char = bytes[next].toInt().toChar()
-            if (char ==
-                '#'
-            ) {
+            if (char == '#') {
                 while (next < bytes.size && bytes[next] != LINE_END) next++
             } else if (!char.isWhitespace()) {
                 return

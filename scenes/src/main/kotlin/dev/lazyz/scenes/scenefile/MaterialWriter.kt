@@ -99,9 +99,7 @@ internal class MaterialWriter(materials: Iterable<Material>) {
 
 /** Writes a colour in linear light. Alpha is omitted if it is 1. */
 internal fun JsonWriter.color(color: Rgba) {
-    if (color.alpha ==
-        1f
-    ) {
+    if (color.alpha == 1f) {
         floats(color.red, color.green, color.blue)
     } else {
         floats(color.red, color.green, color.blue, color.alpha)

@@ -11,7 +11,7 @@ import java.io.Reader
  * The characters of an XML part, which is UTF-8 or UTF-16 (Open Packaging Conventions, 6.2.5). Invalid bytes become
  * U+FFFD. The length of a tag or text is limited, so that a parser cannot run out of memory.
  */
-internal class XmlText private constructor(private val source: Source, private val path: String, reader: Reader,) :
+internal class XmlText private constructor(private val source: Source, private val path: String, reader: Reader) :
     FilterReader(reader) {
     /** Number of characters since the last `>`. */
     private var length = 0L

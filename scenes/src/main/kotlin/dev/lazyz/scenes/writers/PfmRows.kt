@@ -11,7 +11,7 @@ import java.nio.channels.SeekableByteChannel
  * @param output the target; the file starts at the channel's current position
  * @param channels numbers for each pixel, 1 (`Pf`) or 3 (`PF`)
  */
-internal class PfmRows(private val output: SeekableByteChannel, width: Int, private val height: Int, channels: Int,) {
+internal class PfmRows(private val output: SeekableByteChannel, width: Int, private val height: Int, channels: Int) {
     private val numbers = width * channels
     private val bytes = ByteBuffer.allocate(Float.SIZE_BYTES * numbers).order(ByteOrder.LITTLE_ENDIAN)
     private val start: Long

@@ -36,9 +36,7 @@ internal class GltfFiles {
             when (size) {
                 1 -> bytes.put(number.toInt().toByte())
                 2 -> bytes.putShort(number.toInt().toShort())
-                else -> if (componentType ==
-                    FLOAT
-                ) {
+                else -> if (componentType == FLOAT) {
                     bytes.putFloat(number.toFloat())
                 } else {
                     bytes.putInt(number.toLong().toInt())

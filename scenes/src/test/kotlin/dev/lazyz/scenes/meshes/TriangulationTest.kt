@@ -87,9 +87,7 @@ class TriangulationTest {
     fun starThatTurnsLeftTwiceIsNotTakenForConvex() {
         val pentagram = polygon(
             *DoubleArray(10) { 2 * Math.PI * 2 * (it / 2) / 5 }.mapIndexed { i, a ->
-                if (i % 2 ==
-                    0
-                ) {
+                if (i % 2 == 0) {
                     cos(a)
                 } else {
                     sin(a)

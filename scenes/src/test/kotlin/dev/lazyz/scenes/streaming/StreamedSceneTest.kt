@@ -55,9 +55,7 @@ class StreamedSceneTest {
             for (x in 0 until side) {
                 add(point(x, y), point(x + 1, y), point(x + 1, y + 1))
                 add(point(x, y), point(x + 1, y + 1), point(x, y + 1))
-                if (x ==
-                    y
-                ) {
+                if (x == y) {
                     add(listOf(-0f, 0f, -0f), listOf(Float.NaN, 1f, 2f), listOf(3f, 4f, Float.POSITIVE_INFINITY))
                 }
                 if (x == y) add(point(x, y), point(side - x, y), point(x, y))

@@ -5,9 +5,7 @@ import jdk.incubator.vector.VectorOperators
 import jdk.incubator.vector.VectorSpecies
 
 private val SPECIES: VectorSpecies<Long> =
-    if (LongVector.SPECIES_PREFERRED.length() >
-        BlockKernel.BLOCK
-    ) {
+    if (LongVector.SPECIES_PREFERRED.length() > BlockKernel.BLOCK) {
         LongVector.SPECIES_512
     } else {
         LongVector.SPECIES_PREFERRED

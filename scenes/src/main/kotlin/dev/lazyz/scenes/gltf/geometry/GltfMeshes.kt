@@ -88,9 +88,7 @@ internal class GltfMeshes(
             uvs.getOrNull(0),
             colors,
             uvs2 = uvs.getOrNull(1),
-            tangents = if (normals == null ||
-                material.material.normalMap == null
-            ) {
+            tangents = if (normals == null || material.material.normalMap == null) {
                 null
             } else {
                 tangents(vertices, count, here)

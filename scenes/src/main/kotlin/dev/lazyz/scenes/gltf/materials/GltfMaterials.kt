@@ -115,9 +115,7 @@ internal class GltfMaterials(private val document: GltfDocument) {
     }
 
     private fun color(factors: FloatArray?, missing: Rgba): Rgba =
-        if (factors == null ||
-            factors.size < 3
-        ) {
+        if (factors == null || factors.size < 3) {
             missing
         } else {
             Rgba(factors[0], factors[1], factors[2], factors.getOrElse(3) { 1f })

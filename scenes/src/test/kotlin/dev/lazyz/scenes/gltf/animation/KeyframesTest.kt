@@ -55,9 +55,7 @@ class KeyframesTest {
         val spline = Keyframes(
             floatArrayOf(0f),
             FloatArray(12) {
-                if (it ==
-                    7
-                ) {
+                if (it == 7) {
                     5f
                 } else {
                     0f

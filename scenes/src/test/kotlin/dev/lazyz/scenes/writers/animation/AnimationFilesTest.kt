@@ -143,9 +143,7 @@ class AnimationFilesTest {
         AnimationFiles.write(path, Animation(512, 513, 1)) { sink ->
             sink.frame(512, 513) { x, y ->
                 val n = (y - 1) * 512 + x
-                if (y ==
-                    0
-                ) {
+                if (y == 0) {
                     background
                 } else {
                     0xFF shl 24 or (n and 63 shl 18) or (n shr 6 and 63 shl 10) or (n shr 12 shl 2)
