@@ -138,9 +138,8 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
                 .with(FrameKind.POLYGONS_IN_SPACE, 5)
                 .with(FrameKind.MESHES, 6)
                 .with(FrameKind.NEAR_PLANE, 4)
-            val onScreen = FrameKind.entries.filter {
-                it.isInSpace
-            }.fold(FrameMix.usual()) { mix, it -> mix.with(it, 0) }
+            val onScreen = FrameKind.entries.filter { it.isInSpace }
+                .fold(FrameMix.usual()) { mix, it -> mix.with(it, 0) }
             val frames = mixed(
                 5 to Frames.of(all.sized(131, 97).counted(0, 16)),
                 2 to Frames.of(all.sized(24, 20).counted(0, 12)),

@@ -13,9 +13,8 @@ import java.util.Random
  */
 internal fun tallMeshes(salt: Long): List<FrameCase> {
     val random = Random(salt)
-    val (first, second) = List(FRAMES) {
-        tallMesh(FIRST_HEIGHT + HIGHER * it, random)
-    }.partition { random.nextBoolean() }
+    val (first, second) = List(FRAMES) { tallMesh(FIRST_HEIGHT + HIGHER * it, random) }
+        .partition { random.nextBoolean() }
     return first + second
 }
 
