@@ -1,8 +1,11 @@
 package dev.lazyz.conformance.probes
 
+import dev.lazyz.Capability
+import dev.lazyz.Coherence
 import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.cases.FrameCase
@@ -13,6 +16,7 @@ import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.geometry.Box
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.MeshSource
@@ -20,19 +24,38 @@ import dev.lazyz.world.surface.StreamedMesh
 import java.util.Random
 import org.joml.Vector3dc
 
+/** Returns options that change how a streamed frame is drawn: any coherence, budget, threads, tiles and bands. */
+internal fun optionsForStreams(salt: Long): RenderOptions {
+    val random = Random(salt)
+    fun <T> List<T>.any(): T = this[random.nextInt(size)]
+    return RenderOptions(
+        coherence = Coherence.entries.any(),
+        memoryBudget = listOf(null, 0L, 1000L).any(),
+        threads = listOf(1, 2, 3).any(),
+        tileSize = listOf(8, 16, 64).any(),
+        bandBytes = listOf(null, SOME_ROWS).any(),
+    )
+}
+
 /**
  * Fails if [renderer] draws a streamed frame otherwise than the same frame in memory. It may refuse the frame. The
- * frame is of several meshes, each of several parts, whose triangles often have the same depth.
+ * frame is of several meshes, each of several parts, whose triangles often have the same depth. If the renderer blends,
+ * some meshes are translucent.
  */
 internal fun streamedIsTheSame(renderer: Renderer, salt: Long) {
     val random = Random(salt)
     val convention = DepthConvention.entries[random.nextInt(DepthConvention.entries.size)]
     val test = DepthTest.entries[random.nextInt(DepthTest.entries.size)]
-    val raster = Raster(1 + random.nextInt(MOST_SIDE), 1 + random.nextInt(MOST_SIDE), Rgba.WHITE, convention, test)
+    val usual = Raster(1 + random.nextInt(MOST_SIDE), 1 + random.nextInt(MOST_SIDE), Rgba.WHITE, convention, test)
+    val raster = if (random.nextInt(4) == 0) usual.withBackgroundDepth(Int.MAX_VALUE / 2) else usual
     val parts = List(1 + random.nextInt(MOST_MESHES)) {
         List(1 + random.nextInt(1 + random.nextInt(MOST_PARTS))) { part(raster, random) }
     }
-    val materials = parts.map { Material(Rgba(random.nextFloat(), random.nextFloat(), random.nextFloat())) }
+    val isBlending = Capability.TRANSPARENCY in renderer.capabilities && random.nextBoolean()
+    val materials = parts.map {
+        val color = Rgba(random.nextFloat(), random.nextFloat(), random.nextFloat(), random.nextFloat())
+        Material(color).withAlphaMode(if (isBlending && random.nextBoolean()) AlphaMode.BLEND else AlphaMode.OPAQUE)
+    }
     fun scene(add: Scene.Builder.(parts: List<Mesh>, material: Material) -> Unit) = Scene.builder()
         .apply { for ((i, mesh) in parts.withIndex()) add(mesh, materials[i]) }
         .viewpoint(Camera.screen()).build()
@@ -49,6 +72,8 @@ internal fun streamedIsTheSame(renderer: Renderer, salt: Long) {
     Judgement(renderer, FrameCase(frame, code), "streamed meshes").equalsPicture(expected)
 }
 
+/** Bytes of a few rows of such a picture. */
+private const val SOME_ROWS = 1000L
 private const val MOST_SIDE = 24
 private const val MOST_MESHES = 4
 private const val MOST_PARTS = 3

@@ -21,6 +21,7 @@ import dev.lazyz.conformance.probes.Question
 import dev.lazyz.conformance.probes.Trap
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.hasEnded
+import dev.lazyz.conformance.probes.optionsForStreams
 import dev.lazyz.conformance.probes.streamedIsTheSame
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
@@ -90,7 +91,7 @@ public sealed interface StreamingRules : RulesForOne {
     @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_streamedFramesGiveTheSamePicture(@ForAll salt: Long) {
         val renderer = renderer()
-        for (options in listOf(RenderOptions(threads = 1), RenderOptions(threads = 2, bandBytes = BAND_BYTES))) {
+        for (options in listOf(RenderOptions(threads = 1), optionsForStreams(salt))) {
             streamedIsTheSame(renderer.configured(options.supportedBy(renderer)), salt)
         }
     }
@@ -133,9 +134,6 @@ public sealed interface StreamingRules : RulesForOne {
     private companion object {
         /** More than renderers collect before they draw. */
         const val MANY = 40_000
-
-        /** A few rows of a small picture. */
-        const val BAND_BYTES = 1000L
 
         /** Exclusive limit of the number of calls that a primitive answers before it throws. */
         const val MOST_CALLS = 6

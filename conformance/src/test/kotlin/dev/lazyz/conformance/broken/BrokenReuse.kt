@@ -17,6 +17,7 @@ import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.conformance.cases.changed.renumbered
 import dev.lazyz.strategies.hybrid.Hybrid
+import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /** Renderers that keep, reuse or count the wrong things. */
@@ -167,6 +168,11 @@ internal object BrokenReuse {
     fun numbersEachPart() = BrokenRenderer("numbers-each-part") { frame, sink ->
         val image = ZBuffer().render(frame)
         emit(if (frame.isStreamed) image.renumbered { it % PART } else image, sink)
+    }
+
+    /** The parts of a streamed frame are drawn as if all of them were opaque. */
+    fun streamsAsOpaque() = BrokenRenderer("streams-as-opaque", setOf(Capability.TRANSPARENCY)) { frame, sink ->
+        Tiled().render(if (frame.isStreamed) frame.asOpaque() else frame, sink)
     }
 
     /** Returns the image with other samples; [change] gets a sample's place, its value, and that of the background. */

@@ -36,6 +36,7 @@ internal object VariantGallery {
         Mutant(BrokenReuse::countsALastGroup, "counts the primitives of the last group", RuleNames.counted),
         Mutant(BrokenReuse::numbersALastGroup, "numbers the primitives of the last group from 0", RuleNames.counted),
         Mutant(BrokenReuse::numbersEachPart, "numbers primitives of streamed parts from 0", RuleNames.streamed),
+        Mutant(BrokenReuse::streamsAsOpaque, "draws streamed parts as if they were opaque", RuleNames.streamed),
         Mutant(BrokenStreams::finishesAgain, "delivers an image again if the sink has refused it", RuleNames.ended),
         Mutant(BrokenStreams::keepsWhatArrives, "keeps a note of each picture that it begins", RuleNames.leaks),
         Mutant(
