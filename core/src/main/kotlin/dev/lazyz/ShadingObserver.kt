@@ -1,7 +1,7 @@
 package dev.lazyz
 
 /**
- * Is told of each shading call of a rendering, before the colour is computed: which samples are shaded, how often, and
+ * Is called for each shading call of a rendering, before the colour is computed: which samples are shaded, how often, and
  * in which order. See [Frame.observed].
  *
  * It is called by the threads of the renderer, several at the same time if the renderer uses several; so it must be

@@ -83,9 +83,9 @@ class CommandLineTest {
         val lines = zcli("strategies", "--long").done().text.lines().dropLast(1)
         assertEquals(zcli("strategies").text.lines().dropLast(1), lines.filterIndexed { i, _ -> i % 2 == 0 })
         for ((strategy, words) in Renderers.all().zip(lines.filterIndexed { i, _ -> i % 2 == 1 })) {
-            val told = words.trim().removeSurrounding("[", "]").split(", ")
+            val listed = words.trim().removeSurrounding("[", "]").split(", ")
             val expected = strategy.capabilities.map { it.name.lowercase().replace('_', ' ') }
-            assertEquals(expected.ifEmpty { listOf("no promises beyond the picture") }.sorted(), told.sorted())
+            assertEquals(expected.ifEmpty { listOf("no promises beyond the picture") }.sorted(), listed.sorted())
         }
     }
 

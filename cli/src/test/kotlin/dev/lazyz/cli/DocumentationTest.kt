@@ -39,13 +39,13 @@ class DocumentationTest {
     fun eachFlagOfThePageIsInHelp() {
         val helps = help() + commands.joinToString("") { help(it) }
         val known = Regex("""--?[a-z][a-z-]*""").findAll(helps).map { it.value }.toSet()
-        val told = Regex("""(?<![\w-])--?[a-z][a-z-]*""").findAll(page).map { it.value }
+        val listed = Regex("""(?<![\w-])--?[a-z][a-z-]*""").findAll(page).map { it.value }
         val others = setOf("-jar", "-cp", "-y", "--add-modules")
-        assertEquals(listOf<String>(), told.filter { it !in known && it !in others }.toSet().toList())
+        assertEquals(listOf<String>(), listed.filter { it !in known && it !in others }.toSet().toList())
     }
 
     @Test
-    fun commandsStatisticsAndExitCodesAreTold() {
+    fun commandsStatisticsAndExitCodesAreListed() {
         for (command in commands) assertTrue("`zcli $command" in page, command)
         val codes = listOf(ExitCode.DONE, ExitCode.DIFFERENT, ExitCode.MISTAKE, ExitCode.BUG)
         for (code in codes) assertTrue("| `$code` |" in page, "$code")
@@ -56,7 +56,7 @@ class DocumentationTest {
     }
 
     @Test
-    fun keysOfAComparisonAreTold() {
+    fun keysOfAComparisonAreListed() {
         val json = zcli("compare", "teapot", "--size", "4x3", "--strategy", "zbuffer", "--json").done().text
         val own = Regex("\"(\\w+)\":").findAll(json).map { it.groupValues[1] }.toSet()
         val section = page.substringAfter("## zcli compare").substringBefore("\n## ")
@@ -65,7 +65,7 @@ class DocumentationTest {
     }
 
     @Test
-    fun keysOfADifferenceAreTold(@TempDir folder: Path) {
+    fun keysOfADifferenceAreListed(@TempDir folder: Path) {
         val pictures = listOf("red", "blue").map { color ->
             folder.resolve("$color.png").also {
                 zcli("render", "teapot", "--size", "4x3", "--background", color, "-o", it).done()
@@ -78,10 +78,10 @@ class DocumentationTest {
     }
 
     @Test
-    fun capabilitiesAreTold() {
+    fun capabilitiesAreListed() {
         val words = Capability.entries.map { it.name.lowercase().replace('_', ' ') }
-        val told = Regex("""\| ([a-z ]+) \|""").findAll(page).map { it.groupValues[1] }.filter { it in words }
-        assertEquals(words, told.toList())
+        val listed = Regex("""\| ([a-z ]+) \|""").findAll(page).map { it.groupValues[1] }.filter { it in words }
+        assertEquals(words, listed.toList())
     }
 
     @Test

@@ -70,7 +70,7 @@ class FailureTest {
     }
 
     @Test
-    fun outOfMemoryIsToldInWords() = withRenderers(folder, GreedyRenderer::class.java.name) {
+    fun outOfMemoryIsReportedInWords() = withRenderers(folder, GreedyRenderer::class.java.name) {
         zcli("render", "teapot", "--strategy", "greedy", "-o", folder.resolve("x.png"))
             .mistake("out of memory (Java heap space)", "-Xmx", "smaller --size")
         assertEquals(listOf("services"), folder.listDirectoryEntries().map { it.name })
@@ -87,7 +87,7 @@ class FailureTest {
     }
 
     @Test
-    fun aClosedPipeIsToldWhenAFileWasWantedToo() {
+    fun aClosedPipeIsReportedWhenAFileWasWantedToo() {
         val options = arrayOf("render", "teapot", "-o", "-", "--size", "40x30", "--depth-out", folder.resolve("x.pfm"))
         val (code, errors) = zcliWriting(Breaking(100, "Broken pipe"), "", *options)
         assertEquals(2, code)

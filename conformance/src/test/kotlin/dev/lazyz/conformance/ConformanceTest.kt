@@ -31,7 +31,7 @@ class ConformanceTest {
         text.replace(Regex(""" +\d+ ms|[\d.]+ s$|"milliseconds": \d+""", OPTIONS), "")
 
     @Test
-    fun oneWhoConformsIsToldSo() {
+    fun conformanceIsReported() {
         val report = of(PlainRenderer()).run()
         assertTrue(report.isConformant)
         assertEquals(listOf(nearest), report.results.map { it.rule.name })
@@ -71,7 +71,7 @@ class ConformanceTest {
     }
 
     @Test
-    fun failureTellsTheSampleTheFrameAndHowToSeeItAgain() {
+    fun failureReportsTheSampleTheFrameAndHowToSeeItAgain() {
         val report = of(WrongColors()).run()
         assertFalse(report.isConformant)
         val failure = checkNotNull(report.results.single().failure)

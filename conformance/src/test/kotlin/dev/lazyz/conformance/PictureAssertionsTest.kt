@@ -35,7 +35,7 @@ class PictureAssertionsTest {
     }
 
     @Test
-    fun otherRegionsAreTold() {
+    fun otherRegionsAreReported() {
         assertEquals(
             "the pictures differ: expected 3 x 2 samples from column 1, row 2 on, " +
                 "but was 2 x 3 samples from column 0, row 0 on",

@@ -44,7 +44,7 @@ class RecordedReportTest {
     }
 
     @Test
-    fun otherOutcomesAreTold() {
+    fun otherOutcomesAreReported() {
         val recorded = RecordedReport.read(recorded(RuleNames.ties))
         val differences = recorded.differences(recorded.again { PlainRenderer() }.run())
         assertTrue("${RuleNames.ties}: recorded waived, now waivedButPasses" in differences, "$differences")

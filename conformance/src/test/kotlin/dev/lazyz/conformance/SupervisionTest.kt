@@ -34,14 +34,14 @@ class SupervisionTest {
     }
 
     @Test
-    fun rendererThatEndsTheProcessWhenItIsMadeIsTold() {
+    fun rendererThatEndsTheProcessWhenItIsMadeIsReported() {
         for (name in listOf("exits when made", "halts when made")) {
-            val told = assertThrows(EndedEarlyException::class.java) {
+            val reported = assertThrows(EndedEarlyException::class.java) {
                 files.supervision(name, Duration.ofSeconds(20)).run { files.report.exists() }
             }
-            assertEquals("the process ended while no rule was tried: exit code 0", told.message)
+            assertEquals("the process ended while no rule was tried: exit code 0", reported.message)
             val words = "The process ends while the renderer is created, before the first rule"
-            assertEquals(name.startsWith("exits"), words in told.printed) { told.printed }
+            assertEquals(name.startsWith("exits"), words in reported.printed) { reported.printed }
         }
     }
 

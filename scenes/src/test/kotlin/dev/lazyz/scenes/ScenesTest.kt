@@ -34,7 +34,7 @@ class ScenesTest {
     }
 
     @Test
-    fun theContentTellsTheFormat() {
+    fun theContentShowsTheFormat() {
         val binaryStl = ByteArray(84 + 50).also { it[80] = 1 }
         assertEquals(SceneFormat.STL, FormatSniffer.format(binaryStl))
         assertEquals(SceneFormat.STL, FormatSniffer.format("solid a\n facet normal 0 0 1\n".toByteArray()))
@@ -65,7 +65,7 @@ class ScenesTest {
     }
 
     @Test
-    fun filesThatCannotBeReadAreToldFromDamagedOnes() {
+    fun filesThatCannotBeReadAreDistinguishedFromDamagedOnes() {
         for (path in listOf(folder.resolve("no.obj"), folder)) {
             assertThrows<SceneReadException> { Scenes.load(path) }
             assertThrows<SceneReadException> { Scenes.stream(path) }

@@ -25,7 +25,7 @@ import java.nio.file.Path
 /**
  * Renders the pictures of the scene [loaded] from [source], and writes them.
  *
- * @param count is told the number of each picture that is done, from 0
+ * @param count is called with the number of each picture that is done, from 0
  * @param requireMemory throws if there is too little memory for a picture
  */
 internal class InputPictures(

@@ -3,7 +3,7 @@ package dev.lazyz.cli.page
 import dev.lazyz.scenes.html.Html.escaped
 
 /**
- * A page of HTML that is one file: style, pictures and script are in it, and browsers are told to load nothing else.
+ * A page of HTML that is one file: style, pictures and script are in it, and browsers may load nothing else.
  *
  * @param title what the page is about, plain text
  */

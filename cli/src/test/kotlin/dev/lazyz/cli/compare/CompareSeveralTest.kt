@@ -124,7 +124,7 @@ class CompareSeveralTest {
     }
 
     @Test
-    fun badInputsAreToldAndDoNotStopTheOthers() {
+    fun badInputsAreReportedAndDoNotStopTheOthers() {
         val broken = folder.resolve("broken.obj").apply { writeText("v 0 0\nf 1 2 3\n") }
         val none = folder.resolve("none.obj")
         val empty = folder.resolve("empty").createDirectories()
@@ -157,7 +157,7 @@ class CompareSeveralTest {
     }
 
     @Test
-    fun nothingVisibleIsTold() {
+    fun nothingVisibleIsReported() {
         val blank = folder.emptyModel()
         val run = compare(blank, "teapot").done()
         assertEquals("ok       $blank: 0 primitives, nothing is visible", run.lines()[0])
@@ -165,7 +165,7 @@ class CompareSeveralTest {
     }
 
     @Test
-    fun differencesAndFailuresAreTold() {
+    fun differencesAndFailuresAreReported() {
         val wedge = folder.wedge()
         withRenderers(folder, WrongDepthRenderer::class.java.name) {
             val run = compare(wedge, folder.resolve("none.obj"), "--views", "top,iso")

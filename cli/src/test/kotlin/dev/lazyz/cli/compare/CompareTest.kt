@@ -83,7 +83,7 @@ class CompareTest {
     }
 
     @Test
-    fun jsonTellsWhatRenderTells() {
+    fun jsonReportsWhatRenderReports() {
         val json = compare("teapot", "--json").done()
         val render = zcli("render", "teapot", "-o", "-", "--size", "40x30", "--aa", "1", "--stats=json").errors
         val keys = listOf("input", "width", "height", "pixelHash", "primitives", "depthPasses", "peakBytes", "overdraw")
@@ -100,8 +100,8 @@ class CompareTest {
         assertEquals(ExitCode.DIFFERENT to "", run.code to run.errors)
         assertEquals("no", run.rows().getValue("wrong-$what")[0])
         assertTrue("wrong-$what differs from tiled at 1 of 1,200 pixels, first at column 20, row 15:" in run.text)
-        val told = run.text.lines().filter { "  colour #" in it }
-        assertEquals(listOf("  tiled", "  wrong-$what"), told.map { it.substringBefore("  colour").trimEnd() })
+        val reported = run.text.lines().filter { "  colour #" in it }
+        assertEquals(listOf("  tiled", "  wrong-$what"), reported.map { it.substringBefore("  colour").trimEnd() })
 
         val json = compare("teapot", "--json")
         assertEquals(ExitCode.DIFFERENT, json.code)
@@ -113,7 +113,7 @@ class CompareTest {
     }
 
     @Test
-    fun differencesAreToldByPlaceInTheWholePicture() = withRenderers(folder, WrongDepthRenderer::class.java.name) {
+    fun differencesAreReportedByPlaceInTheWholePicture() = withRenderers(folder, WrongDepthRenderer::class.java.name) {
         // The wrong pixel is in column 20 of the rendered region
         val json = compare("teapot", "--region", "5,10,30x10", "--json")
         assertEquals("25" to "15", json.stat("x") to json.stat("y"))
@@ -191,7 +191,7 @@ class CompareTest {
     }
 
     @Test
-    fun repeatTellsOneTimeEach() {
+    fun repeatPrintsOneTimeEach() {
         val run = compare("teapot", "--repeat", "3", "--json").done()
         assertEquals("3", run.stat("repeat"))
         assertEquals(builtIn.size, run.stats("millis").size)

@@ -59,7 +59,7 @@ class ConformanceTest {
     }
 
     @Test
-    fun strangerWhoConformsIsToldSo() {
+    fun strangerThatConformsIsReported() {
         val jar = jar(CapableRenderer::class.java)
         val rules = arrayOf("--rule", "4.3", "--rule", "rule_7_3_rowsArriveInOrderEachOnce")
         val run = conformance("--strategy", "capable", "--classpath", jar, *rules).done()
@@ -75,7 +75,7 @@ class ConformanceTest {
 
     @Test
     @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
-    fun wrongOneIsToldWithTheCommandThatShowsItAgain() {
+    fun mistakeIsReportedWithTheCommandThatShowsItAgain() {
         val jar = jar(FickleRenderer::class.java, StutteringRenderer::class.java)
         val report = folder.resolve("a report")
         val rule = "rule_7_3_rowsArriveInOrderEachOnce"
@@ -177,7 +177,7 @@ class ConformanceTest {
 
     @Test
     @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
-    fun exploringTellsItsSeed() {
+    fun exploringPrintsItsSeed() {
         val seeds = List(2) {
             conformance("--strategy", "zbuffer", "--rule", ties, "--explore", "--json").done().stat("seed")
         }
@@ -247,13 +247,13 @@ class ConformanceTest {
 
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun eachRuleIsToldAsSoonAsItHasEnded() {
+    fun eachRuleIsReportedAsSoonAsItHasEnded() {
         val rules = arrayOf("--rule", "4.3", "--rule", "rule_5_5_dozensOfThinLayersBlend")
         for (where in listOf(arrayOf("--in-process"), arrayOf())) {
             val words = arrayOf("--strategy", "zbuffer", "--tries", "0.05", *rules)
             val run = zcli("conformance", *where, *words)
-            val told = listOf("passed         rule_4_3_back", "not supported  rule_5_5_dozens")
-            assertTrue(told.all { it in run.errors }, run.errors)
+            val reported = listOf("passed         rule_4_3_back", "not supported  rule_5_5_dozens")
+            assertTrue(reported.all { it in run.errors }, run.errors)
             assertTrue(run.errors.lines().filter { it.isNotEmpty() }.all { it.endsWith(" s") }, run.errors)
             assertTrue(run.text.startsWith("zbuffer conforms: 2 rules, "), run.text)
             assertEquals("", zcli("conformance", *where, *words, "--quiet").errors)
@@ -280,8 +280,8 @@ class ConformanceTest {
         for (where in listOf(arrayOf("--in-process"), arrayOf())) {
             val run = zcli("conformance", *where, *words)
             assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
-            val told = "eternal does NOT conform: making the renderer was not over after 0.5 s; it is at"
-            assertTrue(told in run.errors && "EternalRenderer.<init>" in run.errors, run.errors)
+            val reported = "eternal does NOT conform: making the renderer was not over after 0.5 s; it is at"
+            assertTrue(reported in run.errors && "EternalRenderer.<init>" in run.errors, run.errors)
             assertEquals("", run.text)
         }
     }
@@ -296,7 +296,7 @@ class ConformanceTest {
 
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun processOfItsOwnTellsTheSame() {
+    fun processOfItsOwnReportsTheSame() {
         val jar = jar(StutteringRenderer::class.java)
         val rule = "rule_7_3_rowsArriveInOrderEachOnce"
         val words = arrayOf("--strategy", "stuttering", "--classpath", jar, "--rule", rule)
@@ -324,7 +324,7 @@ class ConformanceTest {
 
     @Test
     @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
-    fun mistakesAreToldInWords() {
+    fun mistakesAreReportedInWords() {
         val jar = jar(CapableRenderer::class.java)
         conformance("--strategy", "capabel", "--classpath", jar)
             .mistake("no strategy 'capabel'; did you mean 'capable'?")

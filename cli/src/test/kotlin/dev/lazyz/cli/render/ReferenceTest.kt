@@ -117,7 +117,7 @@ class ReferenceTest {
     }
 
     @Test
-    fun mistakesAreToldBeforeAnythingIsWritten() {
+    fun mistakesAreReportedBeforeAnythingIsWritten() {
         render("-o", reference).done()
         val text = folder.resolve("text.png").apply { writeText("text") }
         val output = folder.resolve("out.png")

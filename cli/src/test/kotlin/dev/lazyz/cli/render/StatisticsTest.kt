@@ -38,7 +38,7 @@ class StatisticsTest {
     }
 
     @Test
-    fun kernelIsToldWhereThereIsAChoice() {
+    fun kernelIsReportedWhereThereIsAChoice() {
         val size = arrayOf("--size", "40x30", "--stats=json")
         assertTrue(zcli("render", folder.wedge(), "-o", out, *size).done().stat("kernel") in setOf("vector", "scalar"))
         val other = zcli("render", folder.wedge(), "-o", out, *size, "--strategy", "zbuffer").done().text
@@ -90,11 +90,11 @@ class StatisticsTest {
     fun tableHasTheSameRows() {
         // One thread: with more, peakBytes depends on which of them took which tiles
         val flags = arrayOf("--size", "40x30", "--threads", "1")
-        fun told(option: String) = zcli("render", folder.wedge(), "-o", out, *flags, option).done().text
-        val table = told("--stats")
+        fun reported(option: String) = zcli("render", folder.wedge(), "-o", out, *flags, option).done().text
+        val table = reported("--stats")
         val rows = table.lines().filter { it.startsWith("|") }.map { it.split("|")[1].trim() }
         assertEquals(keys, rows)
-        assertEquals(table.withoutMillis(), told("--stats=table").withoutMillis())
+        assertEquals(table.withoutMillis(), reported("--stats=table").withoutMillis())
     }
 
     private fun String.withoutMillis(): String = replace(Regex("""\| millis .*"""), "")

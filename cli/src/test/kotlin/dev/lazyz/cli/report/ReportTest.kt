@@ -201,7 +201,7 @@ class ReportTest {
     }
 
     @Test
-    fun aFailureIsToldAndTheOthersAreThere() = withRenderers(folder, BuggyRenderer::class.java.name) {
+    fun aFailureIsReportedAndTheOthersAreThere() = withRenderers(folder, BuggyRenderer::class.java.name) {
         val run = report("teapot", "--strategy", "buggy", "--strategy", "lazy", "--strategy", "zbuffer")
         assertEquals(ExitCode.DIFFERENT to "", run.code to run.errors)
         assertTrue("Not identical: 2 of 3" in run.text, run.text)
@@ -223,7 +223,7 @@ class ReportTest {
     }
 
     @Test
-    fun namesAreEscapedAndTheCommandIsTold() {
+    fun namesAreEscapedAndTheCommandIsReported() {
         val input = folder.wedge("a<b>&'c.obj")
         report(input, "--view", "top").done()
         val page = page()

@@ -45,7 +45,7 @@ class AutoStrategyTest {
     }
 
     @Test
-    fun explainTellsTheFrameAndEachStrategy() {
+    fun explainPrintsTheFrameAndEachStrategy() {
         val run = auto("city", "--explain")
         assertEquals(ExitCode.DONE, run.code)
         val lines = run.errors.trimEnd().lines()
@@ -59,7 +59,7 @@ class AutoStrategyTest {
     }
 
     @Test
-    fun explainTellsWhyOthersAreRuledOut() {
+    fun explainPrintsWhyOthersAreRuledOut() {
         val run = render(folder.glass(), "--explain")
         assertTrue(Regex("zbuffer .*ruled out: lacks transparency").containsMatchIn(run.errors), run.errors)
         assertTrue("some translucent" in run.errors, run.errors)
@@ -69,7 +69,7 @@ class AutoStrategyTest {
     }
 
     @Test
-    fun explainTellsWhatAutoWouldHaveChosen() {
+    fun explainPrintsWhatAutoWouldHaveChosen() {
         val best = auto("city").done().stat("strategy")
         val other = Renderers.builtIn.first { it.id != best }.id
         val text = render("city", "--strategy", other, "--explain").errors

@@ -100,7 +100,7 @@ class TraceTest {
     }
 
     @Test
-    fun mistakesAreTold() {
+    fun mistakesAreReported() {
         trace("city", "a.jpg").mistake("-o must end in .gif or .png or .apng")
         trace("city", "a.gif", "--strategy", "lasy").mistake("no strategy 'lasy'; did you mean 'lazy'?")
         trace("city", "a.gif", "--strategy", "lazy,lazy").mistake("--strategy: 'lazy' is named twice")

@@ -15,14 +15,14 @@ import dev.lazyz.conformance.probes.answer
  * @property isPatient whether the caller waits for its threads even if it is interrupted
  * @property isHasty whether an interrupted caller throws at once, and does not wait for its threads
  * @property isComplete whether the failures of all threads reach the caller, as suppressed exceptions of the first
- * @property isTold which failures of the threads reach the caller
+ * @property isPassedOn which failures of the threads reach the caller
  */
 internal class Tools(
     val isLocked: Boolean = true,
     val isPatient: Boolean = true,
     val isHasty: Boolean = false,
     val isComplete: Boolean = false,
-    val isTold: (Throwable) -> Boolean = { true },
+    val isPassedOn: (Throwable) -> Boolean = { true },
     val counters: () -> Counters.Builder = { Counters.Builder() },
     val spans: () -> Spans = { Spans() },
     val fragment: () -> Fragment = { Fragment() },
@@ -99,7 +99,7 @@ internal class Crew(private val frame: Frame, private val threads: Int, private 
     private fun together(work: (Int) -> Unit) {
         val thrown = arrayOfNulls<Throwable>(threads)
         val workers = List(threads) { number ->
-            Thread { thrown[number] = answer { work(number) }?.takeIf(tools.isTold) }
+            Thread { thrown[number] = answer { work(number) }?.takeIf(tools.isPassedOn) }
         }
         workers.forEach { it.start() }
         var isInterrupted = false

@@ -62,8 +62,8 @@ class ReportJsonTest {
         val all = Conformance {
             Promising()
         }.rule("rule_4_3_backgroundIsVisibleWhereNoFragmentPasses").tries(0.01).run()
-        val told = Json.parseToJsonElement(all.toJson()).jsonObject.getValue("capabilities").jsonArray
-        assertEquals(Promising().capabilities.sorted().map { it.name }, told.map { it.jsonPrimitive.content })
+        val reported = Json.parseToJsonElement(all.toJson()).jsonObject.getValue("capabilities").jsonArray
+        assertEquals(Promising().capabilities.sorted().map { it.name }, reported.map { it.jsonPrimitive.content })
     }
 
     @Test
@@ -95,8 +95,8 @@ class ReportJsonTest {
     @Test
     fun failureIsDescribed() {
         val result = report.results.single { it.failure != null }
-        val told = json.getValue("rules").jsonArray.map { it.jsonObject }.single { "failure" in it }
-        val failure = told.getValue("failure").jsonObject
+        val reported = json.getValue("rules").jsonArray.map { it.jsonObject }.single { "failure" in it }
+        val failure = reported.getValue("failure").jsonObject
         val sample = checkNotNull(result.failure?.sample)
         assertTrue(sample.count > 1, "${sample.count}")
         assertEquals(result.failure.message, failure.text("message"))
@@ -125,15 +125,15 @@ class ReportJsonTest {
     }
 
     @Test
-    fun pageTellsTheKeys() {
+    fun pageListsTheKeys() {
         val docs = listOf("docs", "../docs").map { Path.of(it) }.first { Files.isDirectory(it) }
         val section = docs.resolve("conformance.md").readText().substringAfter("key of `report.json`")
         val table = section.lines().takeWhile { it.startsWith("|") || "meaning" in it }.joinToString("\n")
-        val told = Regex("`([A-Za-z]+)`").findAll(table).map { it.groupValues[1] }.toSet()
+        val listed = Regex("`([A-Za-z]+)`").findAll(table).map { it.groupValues[1] }.toSet()
         val traits = json.getValue("distribution").jsonObject.keys - "frames"
-        val missing = keys(json) - traits - told
-        assertEquals(emptySet<String>(), missing, "keys of report.json that docs/conformance.md does not tell")
-        assertTrue(told.size >= 40, "$told")
+        val missing = keys(json) - traits - listed
+        assertEquals(emptySet<String>(), missing, "keys of report.json that docs/conformance.md does not list")
+        assertTrue(listed.size >= 40, "$listed")
     }
 
     private fun keys(element: JsonElement): Set<String> = when (element) {

@@ -43,7 +43,7 @@ class ReportLinesTest {
     private fun result(rule: String) = report.results.single { it.rule.name == rule }
 
     @Test
-    fun summaryTellsEachWaiver() {
+    fun summaryReportsEachWaiver() {
         val text = report.toText()
         val waivers = text.substringAfter("\nWaivers\n").substringBefore("\n\n")
         assertEquals(
@@ -55,7 +55,7 @@ class ReportLinesTest {
     }
 
     @Test
-    fun summaryTellsWhyAndWhereToLook() {
+    fun summaryReportsWhyAndWhereToLook() {
         val failure = report.toText().substringAfter("FAILED: ").substringBefore("\n\n")
         assertTrue("\n  why         ${result(nearest).rule.intent}\n" in failure, failure)
         assertTrue("\n  look at     ${result(nearest).rule.look}\n" in failure, failure)
@@ -64,7 +64,7 @@ class ReportLinesTest {
     }
 
     @Test
-    fun summaryOfAnExpiredWaiverTellsWhatIsBroken() {
+    fun summaryOfAnExpiredWaiverReportsWhatIsBroken() {
         val waivers = Waivers.parse(waiver(nearest, "2020-02-29"))
         val expired = Conformance { WrongColors() }.tries(0.05).rule(nearest).waivers(waivers).run()
         val text = expired.toText()
@@ -84,7 +84,7 @@ class ReportLinesTest {
     }
 
     @Test
-    fun summaryTellsHowManyFramesWereNotLookedAt() {
+    fun summaryReportsHowManyFramesWereNotLookedAt() {
         val long = Conformance { PlainRenderer() }.tries(1.0).rule("rule_9_4_indicesAreNotTruncated").run()
         assertTrue(long.distribution.unexamined > 0, "${long.distribution}")
         assertTrue("${long.distribution.unexamined}  not looked at\n" in long.toText(), long.toText())
@@ -98,7 +98,7 @@ class ReportLinesTest {
         getElementsByTagName(name).let { list -> List(list.length) { list.item(it) as Element } }
 
     @Test
-    fun buildServersAreToldHowManyFailedAndWhy() {
+    fun buildServersLearnHowManyFailedAndWhy() {
         val suite = suite(report)
         val counts = listOf("tests", "failures", "errors", "skipped").map { suite.getAttribute(it) }
         assertEquals(listOf("4", "2", "0", "2"), counts)
@@ -116,7 +116,7 @@ class ReportLinesTest {
     }
 
     @Test
-    fun buildServersAreToldWhatWasRun() {
+    fun buildServersLearnWhatWasRun() {
         val odd = Conformance { PlainRenderer("<&\">") }.tries(0.05).rule(nearest).seed(7).run()
         assertEquals("dev.lazyz.conformance.<&\">", suite(odd).getAttribute("name"))
         val properties = suite(odd).elements("property").associate {

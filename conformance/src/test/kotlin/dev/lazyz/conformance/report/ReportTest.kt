@@ -177,7 +177,7 @@ class ReportTest {
     }
 
     @Test
-    fun whatIsNotFollowedIsToldAndDoesNoHarm() {
+    fun whatIsNotFollowedIsReportedAndDoesNoHarm() {
         val rule = "rule_8_3_workingMemoryIsReported"
         val report = Conformance { BrokenPromises.reportsNoMemory() }.tries(0.1).rule(rule).run()
         assertTrue(report.isConformant)
@@ -189,10 +189,10 @@ class ReportTest {
         val json = Json.parseToJsonElement(report.toJson()).jsonObject
         assertEquals("true", json.getValue("conformant").jsonPrimitive.content)
         assertEquals("1", json.getValue("outcomes").jsonObject.getValue("notFollowed").jsonPrimitive.content)
-        val told = json.getValue("rules").jsonArray.single().jsonObject
-        assertEquals("SHOULD", told.getValue("level").jsonPrimitive.content)
-        assertEquals("notFollowed", told.getValue("outcome").jsonPrimitive.content)
-        assertTrue("failure" in told)
+        val reported = json.getValue("rules").jsonArray.single().jsonObject
+        assertEquals("SHOULD", reported.getValue("level").jsonPrimitive.content)
+        assertEquals("notFollowed", reported.getValue("outcome").jsonPrimitive.content)
+        assertTrue("failure" in reported)
         val xml = report.toJUnitXml()
         assertTrue("failures=\"0\"" in xml && "skipped=\"1\"" in xml, xml)
         assertTrue("<skipped message=\"not followed: reports-no-memory: a primitive is visible" in xml, xml)

@@ -37,7 +37,7 @@ class WaiversTest {
     }
 
     @Test
-    fun mistakesAreToldWithFileAndLine() {
+    fun mistakesAreReportedWithFileAndLine() {
         for ((text, message) in listOf(
             text("rule_5_1_nearest") to "w.txt:3: no rule 'rule_5_1_nearest'; did you mean rule_5_1_",
             text("other") to "w.txt:3: no rule 'other'",

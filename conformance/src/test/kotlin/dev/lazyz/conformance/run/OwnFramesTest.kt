@@ -59,7 +59,7 @@ class OwnFramesTest {
     }
 
     @Test
-    fun frameThatIsWrongIsTold() {
+    fun frameThatIsWrongIsReported() {
         folder.resolve("a.json").writeText(triangle)
         val result = conformance { BrokenManners.widthOf97() }.rule(own).run().results.single()
         assertEquals(RuleOutcome.FAILED, result.outcome)

@@ -57,7 +57,7 @@ class RunTest {
     }
 
     @Test
-    fun rendererThatIsNeverMadeIsToldWithThePlace() {
+    fun rendererThatIsNeverMadeIsReportedWithThePlace() {
         val hanging = listOf(
             { RunGallery.never() },
             {
@@ -67,9 +67,9 @@ class RunTest {
             },
         )
         for (make in hanging) {
-            val told = assertThrows(NotMadeException::class.java) { of(make).run() }.message.orEmpty()
-            assertTrue(told.startsWith("making the renderer was not over after 0.3 s; it is at"), told)
-            assertTrue("RunGallery.never" in told, told)
+            val reported = assertThrows(NotMadeException::class.java) { of(make).run() }.message.orEmpty()
+            assertTrue(reported.startsWith("making the renderer was not over after 0.3 s; it is at"), reported)
+            assertTrue("RunGallery.never" in reported, reported)
         }
     }
 

@@ -125,7 +125,7 @@ class TrialTest {
     }
 
     @Test
-    fun whatALaterMakingThrowsIsTold() {
+    fun whatALaterMakingThrowsIsReported() {
         var made = 0
         val report = of { if (made++ < 3) PlainRenderer() else error("no more of them") }.run()
         val result = report.results.single()

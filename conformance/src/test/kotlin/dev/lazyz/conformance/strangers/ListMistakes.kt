@@ -4,7 +4,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.Rgba
 
-/** Lists of fragments, their order, and what a selector is told. */
+/** Lists of fragments, their order, and what a selector gets. */
 internal val listMistakes: List<Stranger> = listOf(
     Stranger(
         "list-sorted-by-depth",

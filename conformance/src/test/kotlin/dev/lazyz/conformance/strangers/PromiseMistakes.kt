@@ -31,7 +31,7 @@ internal val promiseMistakes: List<Stranger> = listOf(
     },
     Stranger(
         "memory-keeps-rows",
-        "the indices of all rows are kept and not told; shows in memory that is in use while a tall region is rendered",
+        "the indices of all rows are kept and not reported; shows in memory that is in use while a tall region is rendered",
         setOf("7.6", "8.1"),
     ) {
         sweep { frame, coherence ->
@@ -47,7 +47,7 @@ internal val promiseMistakes: List<Stranger> = listOf(
     },
     Stranger(
         "memory-never-retires",
-        "primitives that have ended stay in the active list; told, so peak bytes grow with the rows of a long scene",
+        "primitives that have ended stay in the active list; reported, so peak bytes grow with the rows of a long scene",
         setOf("7.6"),
     ) {
         sweep { frame, coherence ->

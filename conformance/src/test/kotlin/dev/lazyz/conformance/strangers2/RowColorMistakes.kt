@@ -25,7 +25,7 @@ internal fun rowColorMistakes(): List<Stranger> = listOf(
             }
         }
     },
-    wrongRows("whole-chain", "the longest chain is told from the chain's first column, not from its last use", "8.1") {
+    wrongRows("whole-chain", "the longest chain is taken from the chain's first column, not from its last use", "8.1") {
         object : RowSteps() {
             override fun count(counters: Counters.Builder, gap: Int, chain: RowColors.Chain) {
                 super.count(counters, gap, chain)

@@ -94,7 +94,7 @@ internal class Crew(
         try {
             helpOn(worker)
         } catch (_: InterruptedException) {
-            // Told to end
+            // It is to end
         }
     }
 

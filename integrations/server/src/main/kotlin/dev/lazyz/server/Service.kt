@@ -62,7 +62,7 @@ internal class Service(val config: ServerConfig) : AutoCloseable {
         LOGGER.log(System.Logger.Level.ERROR, "a line of the log could not be written: $line", failure)
     }
 
-    /** What a client is told after [isDraining] is set. */
+    /** The answer to clients after [isDraining] is set. */
     fun draining() = Problem(Problem.UNAVAILABLE, "the server is being closed", Problem.SOON)
 
     /** Reports a bug to the system logger, with its stack trace. */

@@ -22,16 +22,16 @@ class GoldenTestsPageTest {
 
     @Test
     fun theTableHasAllProperties() {
-        val told = Regex("""\| `(lazyz\.[a-z.]+)` \|""").findAll(page).map { it.groupValues[1] }.toList()
-        assertEquals(listOf(GoldenSettings.UPDATE, GoldenSettings.ROOT, GoldenSettings.OUTPUT), told)
+        val listed = Regex("""\| `(lazyz\.[a-z.]+)` \|""").findAll(page).map { it.groupValues[1] }.toList()
+        assertEquals(listOf(GoldenSettings.UPDATE, GoldenSettings.ROOT, GoldenSettings.OUTPUT), listed)
     }
 
     @Test
     fun theMethodsExist() {
         val types = listOf(SceneAssertion::class, RenderingAssertion::class, PictureAssertion::class)
         val methods = types.flatMap { type -> type.java.methods.map { it.name } }
-        val told = Regex("""`(with\w+)""").findAll(page).map { it.groupValues[1] }.toSet()
-        assertTrue(told.size >= 4, "$told")
-        assertEquals(emptyList<String>(), told.filter { it !in methods })
+        val listed = Regex("""`(with\w+)""").findAll(page).map { it.groupValues[1] }.toSet()
+        assertTrue(listed.size >= 4, "$listed")
+        assertEquals(emptyList<String>(), listed.filter { it !in methods })
     }
 }

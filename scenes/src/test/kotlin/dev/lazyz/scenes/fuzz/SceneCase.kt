@@ -5,7 +5,7 @@ package dev.lazyz.scenes.fuzz
  * this interface.
  */
 internal interface SceneCase {
-    /** Loads [bytes]; returns whether there is a scene now, and all that a user would be told. */
+    /** Loads [bytes]; returns whether there is a scene now, and all messages for the user. */
     fun load(bytes: ByteArray): Loaded
 
     /** Draws the scene that was loaded last. */

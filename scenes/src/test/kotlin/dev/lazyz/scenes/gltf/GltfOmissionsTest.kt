@@ -8,7 +8,7 @@ import dev.lazyz.scenes.loading.meshes
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 
-/** What is passed over is told once for each kind, with how many there are. */
+/** What is passed over is reported once for each kind, with its number. */
 class GltfOmissionsTest {
     private fun warnings(more: String, attributes: String = ""): List<String> {
         val files = GltfFiles()

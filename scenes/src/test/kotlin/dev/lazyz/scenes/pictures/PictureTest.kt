@@ -91,7 +91,7 @@ class PictureTest {
     }
 
     @Test
-    fun badFilesAreTold() {
+    fun badFilesAreReported() {
         fun message(read: () -> Picture) = assertThrows(SceneFormatException::class.java) { read() }.message
         val missing = folder.resolve("missing.png")
         assertEquals("$missing: there is no such file", message { Picture.read(missing) })

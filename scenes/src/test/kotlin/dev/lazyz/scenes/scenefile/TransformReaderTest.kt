@@ -42,7 +42,7 @@ class TransformReaderTest {
         val scene = SceneFile.parse("""{"lazyz": 1, "surfaces": [$sphere]}""").scene
         val center = (scene.surfaces.single() as Sphere).center
 
-        // No zero is told from another here
+        // The two zeros are equal here
         return Vector3d(center.x() + 0.0, center.y() + 0.0, center.z() + 0.0)
     }
 }

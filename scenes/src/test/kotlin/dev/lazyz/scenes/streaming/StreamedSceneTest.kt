@@ -170,7 +170,7 @@ class StreamedSceneTest {
     }
 
     @Test
-    fun theExtensionOrTheContentTellsTheFormat() {
+    fun theExtensionOrTheContentShowsTheFormat() {
         val unnamed = folder.resolve("model")
         unnamed.writeBytes(binary(terrain(3)))
         Scenes.stream(unnamed, spool = spool).close()

@@ -98,7 +98,7 @@ class ThreeMfParserTest {
     }
 
     @Test
-    fun whatIsNotShownIsTold() {
+    fun whatIsNotShownIsReported() {
         val support = one.replace("id=\"1\"", "id=\"2\" type=\"support\"")
         val beams = "<b:beamlattice xmlns:b=\"b\"><b:beams><b:beam/><b:beam/></b:beams></b:beamlattice>"
         val lattice = "<object id=\"3\"><mesh><vertices/><triangles/>$beams</mesh></object>"

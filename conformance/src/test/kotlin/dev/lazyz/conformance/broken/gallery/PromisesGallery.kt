@@ -15,6 +15,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.ended
 import dev.lazyz.conformance.broken.gallery.RuleNames.fragments
 import dev.lazyz.conformance.broken.gallery.RuleNames.held
 import dev.lazyz.conformance.broken.gallery.RuleNames.memory
+import dev.lazyz.conformance.broken.gallery.RuleNames.memoryReport
 import dev.lazyz.conformance.broken.gallery.RuleNames.oneByOne
 import dev.lazyz.conformance.broken.gallery.RuleNames.options
 import dev.lazyz.conformance.broken.gallery.RuleNames.parallel
@@ -25,7 +26,6 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.steps
 import dev.lazyz.conformance.broken.gallery.RuleNames.streams
 import dev.lazyz.conformance.broken.gallery.RuleNames.sums
 import dev.lazyz.conformance.broken.gallery.RuleNames.together
-import dev.lazyz.conformance.broken.gallery.RuleNames.told
 import dev.lazyz.conformance.broken.gallery.RuleNames.unpulled
 import dev.lazyz.conformance.broken.gallery.RuleNames.unsupported
 
@@ -35,7 +35,7 @@ internal object PromisesGallery {
         Mutant(BrokenRenderers::countsTheVisible, "counts primitives that are visible", counts),
         Mutant(BrokenRenderers::countsACallTooMany, "counts a shading call that never happens", counts, empty),
         Mutant(BrokenRenderers::countsNoPasses, "does not count depth passes", passes),
-        Mutant(BrokenPromises::reportsNoMemory, "does not report its working memory", told),
+        Mutant(BrokenPromises::reportsNoMemory, "does not report its working memory", memoryReport),
         Mutant(BrokenPromises::countsVisibleFragments, "counts visible samples as fragments", fragments),
         Mutant(BrokenPromises::countsRejectedTwice, "counts rejected fragments twice", fragments),
         Mutant(BrokenFailures::countsHalfTheDepths, "counts half of the depths that it computes", RuleNames.depths),

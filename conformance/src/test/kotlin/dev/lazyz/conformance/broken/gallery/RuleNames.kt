@@ -74,7 +74,7 @@ internal object RuleNames {
     val sinks = RendererConformance::rule_7_3_exceptionsOfTheSinkReachTheCaller.name
     val rows = RendererConformance::rule_7_3_rowsArriveInOrderEachOnce.name
     val outside = RendererConformance::rule_7_7_primitivesOutsideTheRegionAreNotQueried.name
-    val told = RendererConformance::rule_8_3_workingMemoryIsReported.name
+    val memoryReport = RendererConformance::rule_8_3_workingMemoryIsReported.name
     val counts = RendererConformance::rule_8_1_countersEqualTheObservedCalls.name
     val fragments = RendererConformance::rule_8_1_fragmentsEqualTheCoveredSamples.name
     val among = RendererConformance::rule_8_1_passesAreAtMostTheFragments.name

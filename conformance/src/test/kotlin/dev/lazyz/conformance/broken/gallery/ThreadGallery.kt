@@ -137,7 +137,7 @@ internal object ThreadGallery {
         Tools(counters = { counters })
     }
 
-    private fun losesErrors() = crew("loses-errors", 4) { Tools(isTold = { it !is Error }) }
+    private fun losesErrors() = crew("loses-errors", 4) { Tools(isPassedOn = { it !is Error }) }
 
     private fun deliversHalfPictures() = crew("delivers-half-pictures", 4) { Tools(isPatient = false) }
 

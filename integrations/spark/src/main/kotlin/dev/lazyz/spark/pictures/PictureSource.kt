@@ -29,7 +29,7 @@ internal class OncePerJvm(private val source: PictureSource) : Serializable {
     @Synchronized
     fun picture(): SampledFrame = made ?: source.picture().also { made = it }
 
-    /** Does the work of a task. A source that holds its frame is told. */
+    /** Does the work of a task. A source that holds its frame is notified. */
     fun <T> rendering(work: (SampledFrame) -> T): T =
         if (source is TaskWitness) source.during { work(picture()) } else work(picture())
 

@@ -68,7 +68,7 @@ public object DeepZoomFiles {
      * @param alpha whether tiles have an alpha channel
      * @param facts all that the picture depends on, by name, such as a hash of the model, and the version of the
      *   program
-     * @param produce renders to the sink it is given, all rows from the one that it is told
+     * @param produce renders to the sink it is given, all rows from the number that it is given
      * @return what [produce] returns
      * @throws IllegalArgumentException if [path] does not end in `.dzi`, or a side is not in the range of
      *   [DeepZoomSink]
