@@ -15,6 +15,9 @@ import dev.lazyz.world.material.Shading
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureFilter
 import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Surface
+import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import org.joml.Vector3d
 
@@ -98,7 +101,10 @@ private object EveryAttributeOfMany : BatchShader {
     }
 }
 
-/** Meshes with different attributes, side by side and on top of each other, whose material has the same shader. */
+/**
+ * Meshes and polygons with different attributes, side by side and on top of each other, whose material has the same
+ * shader. There are hundreds of triangles, so that their indices agree in many bits.
+ */
 internal fun surfacesOfOneShader(salt: Long): FrameCase {
     val random = Random(salt)
     val shader = if (random.nextBoolean()) EveryAttribute else EveryAttributeOfMany
@@ -109,21 +115,40 @@ internal fun surfacesOfOneShader(salt: Long): FrameCase {
     return FrameCase(scene.frame(FEW, FEW), "surfacesOfOneShader(${salt}L)")
 }
 
-private fun someSurface(random: Random, material: Material): Mesh {
-    val size = if (random.nextBoolean()) 3 + random.nextInt(4) else 20 + random.nextInt(60)
-    val triangle = triangle(random.nextInt(FEW - size), random.nextInt(FEW - size), size, random.nextFloat())
+private fun someSurface(random: Random, material: Material): Surface {
+    if (random.nextInt(4) == 0) return somePolygon(random, material)
+    val triangles = List(1 + random.nextInt(MOST_OF_A_MESH)) {
+        val size = if (random.nextBoolean()) 3 + random.nextInt(4) else 20 + random.nextInt(60)
+        triangle(random.nextInt(FEW - size), random.nextInt(FEW - size), size, random.nextFloat())
+    }
+    val corners = 3 * triangles.size
 
-    fun some(count: Int): FloatArray? = if (random.nextBoolean()) FloatArray(count) { random.nextFloat() } else null
-    val uvs = some(6)
+    fun some(each: Int): FloatArray? =
+        if (random.nextBoolean()) FloatArray(each * corners) { random.nextFloat() } else null
+    val uvs = some(2)
     return Mesh(
-        triangle.toFloatArray(),
-        intArrayOf(0, 1, 2),
+        triangles.flatten().toFloatArray(),
+        IntArray(corners) { it },
         material,
-        normals = some(9),
+        normals = some(3),
         uvs = uvs,
-        colors = some(12),
-        uvs2 = if (uvs == null) null else some(6),
+        colors = some(4),
+        uvs2 = if (uvs == null) null else some(2),
     )
+}
+
+/** Returns a hexagon with a colour and texture coordinates at each corner. */
+private fun somePolygon(random: Random, material: Material): Polygon {
+    val size = 10 + random.nextInt(60)
+    val (x, y) = List(2) { (size + random.nextInt(FEW)).toDouble() / 2 }
+    val z = random.nextDouble()
+    val corners = List(6) {
+        val angle = it * Math.PI / 3
+        val color = Rgba(random.nextFloat(), random.nextFloat(), random.nextFloat())
+        val (u, v) = List(2) { random.nextFloat() }
+        Vertex(x + size * StrictMath.cos(angle) / 2, y + size * StrictMath.sin(angle) / 2, z, u, v, color)
+    }
+    return Polygon(listOf(corners), material)
 }
 
 /**
@@ -175,6 +200,9 @@ private const val CLOSE = 80
 private const val FAR = 6
 private const val EDGES = 16
 private const val SURFACES = 24
+
+/** Greatest number of triangles of a mesh. */
+private const val MOST_OF_A_MESH = 40
 private const val FAR_AWAY = 4000f
 
 /** 512 units of depth, which a float can still tell apart. */
