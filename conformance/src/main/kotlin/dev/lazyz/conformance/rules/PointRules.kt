@@ -19,6 +19,7 @@ public sealed interface PointRules : RulesForOne {
         intent = "A point is a primitive that covers one sample or a square of samples, at one depth.",
         look = "Look for primitives of one sample or one row that are lost, and for colours taken from a neighbour.",
         about = [Symptom.IN_SPACE],
+        isSpecial = true,
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_9_pointsAreDrawnCorrectly(@ForAll(supplier = PointCases::class) case: FrameCase) {
@@ -30,6 +31,7 @@ public sealed interface PointRules : RulesForOne {
         intent = "A line is a primitive with one span per row and a depth that is not a linear form.",
         look = "Call Primitive.depth where depthForm is null, and expect rows of a single sample.",
         about = [Symptom.IN_SPACE],
+        isSpecial = true,
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_10_linesAreDrawnCorrectly(@ForAll(supplier = LineCases::class) case: FrameCase) {
