@@ -55,6 +55,16 @@ internal fun closeToAWall(salt: Long): FrameCase {
     return screenMesh(Raster(FEW, FEW), (triangles + far + walls).shuffled(random))
 }
 
+/** A mesh of triangles of a few samples each over several tiles, most of which have no other triangles. */
+internal fun specks(salt: Long): FrameCase {
+    val random = Random(salt)
+    val triangles = List(SPECKS) {
+        val size = 1 + random.nextInt(4)
+        triangle(random.nextInt(SIDE - size), random.nextInt(SIDE - size), size, random.nextFloat())
+    }
+    return screenMesh(Raster(SIDE, SIDE), triangles)
+}
+
 /** Returns a triangle with its right angle at ([x], [y]), whose short sides have [size] samples, at the depth [z]. */
 internal fun triangle(x: Int, y: Int, size: Int, z: Float): List<Float> =
     listOf(x, y, z, x + size, y, z, x, y + size, z).map { it.toFloat() }
@@ -199,6 +209,7 @@ private const val FEW = 136
 private const val CLOSE = 80
 private const val FAR = 6
 private const val EDGES = 16
+private const val SPECKS = 60
 private const val SURFACES = 24
 
 /** Greatest number of triangles of a mesh. */

@@ -29,7 +29,7 @@ public class SuiteRule private constructor(internal val method: Method) {
     /** Symptoms of the mistakes that the rule tests for, see [Rule.about]. */
     internal val about: Set<Symptom> get() = rule?.about.orEmpty().toSet()
 
-    /** Whether another rule tests the same in usual frames, see [Rule.isSpecial]. */
+    /** Whether other rules are named before it, see [Rule.isSpecial]. */
     internal val isSpecial: Boolean get() = rule?.isSpecial == true
 
     /** The rule's number in `docs/contract.md`, such as `5.2`. Several tests may have the same number. */

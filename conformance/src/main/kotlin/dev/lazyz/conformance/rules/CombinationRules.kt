@@ -24,6 +24,7 @@ public sealed interface CombinationRules : RulesForOne {
             "threads.",
         look = "The message lists all settings that are not the default; the more the frame was reduced, the more " +
             "they matter.",
+        isSpecial = true,
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_combinationsAreRight(

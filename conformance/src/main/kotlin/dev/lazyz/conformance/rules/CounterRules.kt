@@ -218,6 +218,7 @@ public sealed interface CounterRules : RulesForOne {
     @Rule(
         intent = "Peak bytes are what a picture takes, so that users can choose a renderer, and a size, by them.",
         look = "Count each array when it is allocated, and add up what all threads hold at the same time.",
+        isSpecial = true,
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_peakBytesAreWhatIsHeld() {

@@ -16,8 +16,8 @@ public enum class Level {
  * @property look where to look in the renderer when the rule fails, in one sentence
  * @property about symptoms of the mistakes that this rule tests for, as seen in failures of any rule; empty if such a
  *   mistake shows only in what this rule does, for example when it calls a renderer from several threads
- * @property isSpecial whether the rule tests what is rare, such as extreme values or threads, and another rule tests
- *   the same in usual frames; where both are as likely the cause, the other one is named first
+ * @property isSpecial whether the rule tests what is rare, such as extreme values or threads, or many things at once;
+ *   where another rule is as likely the cause, that one is named first
  */
 @Target(AnnotationTarget.FUNCTION)
 @Retention(AnnotationRetention.RUNTIME)

@@ -24,6 +24,7 @@ import dev.lazyz.conformance.oracle.Selection
 import dev.lazyz.conformance.probes.closeToAWall
 import dev.lazyz.conformance.probes.edgesAtTheEndsOfTiles
 import dev.lazyz.conformance.probes.longRasters
+import dev.lazyz.conformance.probes.specks
 import dev.lazyz.conformance.probes.wideMesh
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
@@ -32,18 +33,20 @@ import net.jqwik.api.Property
 /** Rules about frames that are large in one respect: sides, spans, layers or indices. Part of `RendererConformance`. */
 @Suppress("ktlint:standard:function-naming")
 public sealed interface SizeRules : RulesForOne {
-    /** Rasters of several tiles and bands, of any size; most have odd sides. */
+    /** Rasters of several tiles and bands, of any size; most have odd sides. Some tiles have small triangles only. */
     @Rule(
         intent = "A picture of many tiles is correct in each tile, including the partial tiles at the right and the " +
             "bottom.",
-        look = "Look at the last column and row of a tile or band, at the last tile, and at primitives that cross " +
-            "tiles.",
+        look = "Look at the last column and row of a tile or band, at the last tile, at primitives that cross tiles, " +
+            "and at tiles that are skipped.",
     )
     @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_1_1_rastersOfSeveralTilesAreDrawnCorrectly(
         @ForAll(supplier = SeveralTilesCases::class) case: FrameCase,
+        @ForAll salt: Long,
     ) {
         Judgement(renderer(), case).equalsReference().rowsInOrder()
+        Judgement(renderer(), specks(salt)).equalsReference()
     }
 
     /** Columns and rows beyond 65,536, on long rasters and in regions of large ones. */

@@ -61,6 +61,7 @@ public sealed interface WorkerRules : RulesForOne {
     @Rule(
         intent = "An interrupt of a thread that works for the renderer is not the caller's, and changes nothing.",
         look = "Look for loops of worker threads that end when the thread is interrupted, and for waits that do.",
+        isSpecial = true,
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_interruptedWorkersFinishTheirWork() {
