@@ -13,6 +13,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.Shader
 import dev.lazyz.ShadingCursor
 import dev.lazyz.Spans
+import dev.lazyz.behindAll
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Scene
@@ -47,14 +48,13 @@ internal object LayeredFrames {
     private fun raster(random: Random): Raster {
         val convention = DepthConvention.entries[random.nextInt(2)]
         val test = if (random.nextBoolean()) convention.nearest else DepthTest.entries[random.nextInt(4)]
-        val usual = if (test == DepthTest.LESS || test == DepthTest.LESS_OR_EQUAL) Int.MAX_VALUE else 0
         return Raster(
             1 + random.nextInt(24),
             1 + random.nextInt(24),
             listOf(Rgba.WHITE, Rgba(0.3f, 0.6f, 0.1f, 0f), Rgba(0.2f, 0.4f, 0.8f, 0.5f))[random.nextInt(3)],
             convention,
             test,
-            if (random.nextInt(3) == 0) random.nextInt() ushr 1 else usual,
+            if (random.nextInt(3) == 0) random.nextInt() ushr 1 else test.behindAll,
         )
     }
 

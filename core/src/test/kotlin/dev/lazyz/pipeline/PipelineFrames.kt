@@ -14,6 +14,7 @@ import dev.lazyz.SampleScenes
 import dev.lazyz.Shader
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.behindAll
 import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.Sphere
@@ -30,7 +31,7 @@ internal class PipelineFrames(seed: Long) {
     fun next(): Frame {
         val convention = pick(DepthConvention.entries)
         val test = pick(DepthTest.entries)
-        val raster = Raster(width, height, Rgba(0.2f, 0.3f, 0.4f), convention, test, backgroundDepth(convention))
+        val raster = Raster(width, height, Rgba(0.2f, 0.3f, 0.4f), convention, test, backgroundDepth(test))
         val builder = FrameBuilder(raster)
         repeat(random.nextInt(25)) { add(builder) }
         val primitives = ArrayList(builder.build().primitives)
@@ -42,10 +43,8 @@ internal class PipelineFrames(seed: Long) {
 
     private fun side(most: Int): Int = if (random.nextInt(6) == 0) 1 else 1 + random.nextInt(most)
 
-    private fun backgroundDepth(convention: DepthConvention): Int {
-        val farthest = if (convention == DepthConvention.SMALLER_IS_NEARER) Int.MAX_VALUE else 0
-        return if (random.nextInt(3) == 0) Depth.ofUnit(0.25 * random.nextInt(5)) else farthest
-    }
+    private fun backgroundDepth(test: DepthTest): Int =
+        if (random.nextInt(3) == 0) Depth.ofUnit(0.25 * random.nextInt(5)) else test.behindAll
 
     private fun region(raster: Raster): Region {
         if (random.nextBoolean()) return raster.region

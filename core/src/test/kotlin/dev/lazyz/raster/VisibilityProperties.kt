@@ -10,6 +10,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
+import dev.lazyz.behindAll
 import dev.lazyz.samples
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.FrameBuilder
@@ -56,7 +57,7 @@ class VisibilityProperties {
         @ForAll @IntRange(min = 0, max = 12) count: Int,
         @ForAll @IntRange(min = 0, max = 3) quarter: Int,
     ) {
-        val background = listOf(test.farthest(), Depth.ofUnit(0.25 * quarter)).random(random)
+        val background = listOf(test.behindAll, Depth.ofUnit(0.25 * quarter)).random(random)
         val raster = Raster(16, 16, Rgba.BLACK, depthTest = test, backgroundDepth = background)
         val frame = SampleScenes.drawn(random, raster, count)
         val image = ZBuffer().render(frame)
@@ -93,14 +94,11 @@ class VisibilityProperties {
         }
     }
 
-    private fun DepthTest.farthest(): Int =
-        if (this == DepthTest.LESS || this == DepthTest.LESS_OR_EQUAL) Int.MAX_VALUE else 0
-
     private fun <T> List<T>.random(random: Random): T = this[random.nextInt(size)]
 
     @Property(seed = "1995", tries = 100, edgeCases = EdgeCasesMode.NONE)
     fun rule_5_2_coincidentSurfacesShowTheFirst(@ForAll random: Random, @ForAll("tests") test: DepthTest) {
-        val raster = Raster(16, 16, depthTest = test, backgroundDepth = test.farthest())
+        val raster = Raster(16, 16, depthTest = test, backgroundDepth = test.behindAll)
         val one = SampleScenes.drawn(random, raster, 1).primitives
         val image = ZBuffer().render(Frame(raster, one + one + one))
         val isLast = test == DepthTest.LESS_OR_EQUAL || test == DepthTest.GREATER_OR_EQUAL
@@ -121,7 +119,7 @@ class VisibilityProperties {
 
     @Property(seed = "1995", tries = 100, edgeCases = EdgeCasesMode.NONE)
     fun rule_5_4_orderIsIrrelevantWithoutTies(@ForAll random: Random, @ForAll("tests") test: DepthTest) {
-        val raster = Raster(16, 16, depthTest = test, backgroundDepth = test.farthest())
+        val raster = Raster(16, 16, depthTest = test, backgroundDepth = test.behindAll)
         val builder = FrameBuilder(raster)
         repeat(8) { i ->
             val contour = DoubleArray(9) {
@@ -173,7 +171,7 @@ class VisibilityProperties {
 
     @Property(seed = "1995", tries = 60, edgeCases = EdgeCasesMode.NONE)
     fun rule_5_1_mergedPartsEqualTheWholePicture(@ForAll random: Random, @ForAll("tests") test: DepthTest) {
-        val raster = Raster(16, 12, depthTest = test, backgroundDepth = test.farthest())
+        val raster = Raster(16, 12, depthTest = test, backgroundDepth = test.behindAll)
         val frame = SampleScenes.drawn(random, raster, 9)
         val whole = ZBuffer().render(frame)
 

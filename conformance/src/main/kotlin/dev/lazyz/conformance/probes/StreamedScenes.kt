@@ -9,6 +9,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
@@ -46,8 +47,9 @@ internal fun streamedIsTheSame(renderer: Renderer, salt: Long) {
     val random = Random(salt)
     val convention = DepthConvention.entries[random.nextInt(DepthConvention.entries.size)]
     val test = DepthTest.entries[random.nextInt(DepthTest.entries.size)]
-    val usual = Raster(1 + random.nextInt(MOST_SIDE), 1 + random.nextInt(MOST_SIDE), Rgba.WHITE, convention, test)
-    val raster = if (random.nextInt(4) == 0) usual.withBackgroundDepth(Int.MAX_VALUE / 2) else usual
+    val (width, height) = List(2) { 1 + random.nextInt(MOST_SIDE) }
+    val background = if (random.nextInt(4) == 0) Int.MAX_VALUE / 2 else Rasters.behindAll(test)
+    val raster = Raster(width, height, Rgba.WHITE, convention, test, background)
     val parts = List(1 + random.nextInt(MOST_MESHES)) {
         List(1 + random.nextInt(1 + random.nextInt(MOST_PARTS))) { part(raster, random) }
     }

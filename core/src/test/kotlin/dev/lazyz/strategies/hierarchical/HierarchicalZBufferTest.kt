@@ -10,6 +10,7 @@ import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Spans
+import dev.lazyz.behindAll
 import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer.Order
 import dev.lazyz.strategies.scanline.City
 import dev.lazyz.strategies.warnock.AreaFrames
@@ -99,9 +100,8 @@ class HierarchicalZBufferTest {
     @Test
     fun everyDepthTestRejects() {
         for (test in DepthTest.entries) {
-            val behind = if (test.key(0, 0) < test.key(1, 0)) Int.MAX_VALUE else 0
             for (convention in DepthConvention.entries) {
-                val raster = Raster(128, 128, Rgba.WHITE, convention, test, behind)
+                val raster = Raster(128, 128, Rgba.WHITE, convention, test, test.behindAll)
                 val counters = counted(Stacks.layers(raster, 100, Submission.SHUFFLED, steepness = 5.0))
                 assertTrue(counters.depthEvaluations < 128 * 128 * 1.2, "$test $convention $counters")
             }
@@ -146,8 +146,7 @@ class HierarchicalZBufferTest {
     fun equalDepthsAreRejectedByTheOrderOfSubmission() {
         // The same level wall ten times: all except the visible one are behind it, only because of their indices
         for (test in DepthTest.entries) {
-            val behind = if (test.key(0, 0) < test.key(1, 0)) Int.MAX_VALUE else 0
-            val raster = Raster(64, 64, Rgba.WHITE, DepthConvention.SMALLER_IS_NEARER, test, behind)
+            val raster = Raster(64, 64, Rgba.WHITE, DepthConvention.SMALLER_IS_NEARER, test, test.behindAll)
             val builder = FrameBuilder(raster)
             repeat(10) { builder.polygon(Rgba.BLACK, rectangle(0, 0, 64, 64, 0.5, 0.5)) }
             val counters = counted(builder.build())

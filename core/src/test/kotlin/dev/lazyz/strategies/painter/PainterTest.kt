@@ -7,6 +7,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
+import dev.lazyz.behindAll
 import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.scanline.City
 import dev.lazyz.strategies.zbuffer.ZBuffer
@@ -26,8 +27,7 @@ class PainterTest {
     @Test
     fun overdrawIsTotalWhereThereIsAnOrder() {
         for (test in DepthTest.entries) {
-            val background = if (test.key(0, 0) < test.key(1, 0)) Int.MAX_VALUE else 0
-            val raster = Raster(64, 64, Rgba.WHITE, DepthConvention.SMALLER_IS_NEARER, test, background)
+            val raster = Raster(64, 64, Rgba.WHITE, DepthConvention.SMALLER_IS_NEARER, test, test.behindAll)
             for (steepness in listOf(0.5, 20.0)) {
                 val counters = counted(City.layers(raster, 50, steepness))
                 assertEquals(50L * 64 * 64, counters.fragments)

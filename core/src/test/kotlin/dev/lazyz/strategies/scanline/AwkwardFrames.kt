@@ -13,6 +13,7 @@ import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.Shader
 import dev.lazyz.Spans
+import dev.lazyz.behindAll
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Scene
@@ -34,20 +35,19 @@ internal class AwkwardFrames(seed: Long) {
 
     fun frame(): Frame {
         val convention = DepthConvention.entries.random(random)
-        val raster = Raster(
-            width, height, Rgba.BLACK, convention, DepthTest.entries.random(random), backgroundDepth(convention),
-        )
+        val test = DepthTest.entries.random(random)
+        val raster = Raster(width, height, Rgba.BLACK, convention, test, backgroundDepth(test))
         val builder = FrameBuilder(raster)
         repeat(random.nextInt(24)) { add(builder, raster) }
         val frame = builder.build()
         return if (random.nextBoolean()) frame else frame.within(region())
     }
 
-    private fun backgroundDepth(convention: DepthConvention): Int = when (random.nextInt(4)) {
+    private fun backgroundDepth(test: DepthTest): Int = when (random.nextInt(4)) {
         0 -> Depth.ofUnit(depths.random(random))
         1 -> Depth.ofUnit(random.nextDouble())
-        2 -> if (convention == DepthConvention.SMALLER_IS_NEARER) 0 else Int.MAX_VALUE
-        else -> if (convention == DepthConvention.SMALLER_IS_NEARER) Int.MAX_VALUE else 0
+        2 -> Int.MAX_VALUE - test.behindAll
+        else -> test.behindAll
     }
 
     private fun region(): Region {

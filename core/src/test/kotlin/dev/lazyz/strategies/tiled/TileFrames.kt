@@ -12,6 +12,7 @@ import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.Shader
 import dev.lazyz.Spans
+import dev.lazyz.behindAll
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Scene
@@ -30,8 +31,7 @@ internal class TileFrames(seed: Long) {
     fun next(): Frame {
         val convention = DepthConvention.entries.pick()
         val test = DepthTest.entries.pick()
-        val farthest = if (test == DepthTest.LESS || test == DepthTest.LESS_OR_EQUAL) Int.MAX_VALUE else 0
-        val background = if (random.nextInt(3) == 0) Depth.ofUnit(0.25 * random.nextInt(5)) else farthest
+        val background = if (random.nextInt(3) == 0) Depth.ofUnit(0.25 * random.nextInt(5)) else test.behindAll
         val raster = Raster(width, height, Rgba(0.2f, 0.3f, 0.4f), convention, test, background)
         val builder = FrameBuilder(raster)
         repeat(random.nextInt(20)) { add(builder) }

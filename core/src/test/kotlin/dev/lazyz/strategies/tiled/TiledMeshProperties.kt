@@ -13,6 +13,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
 import dev.lazyz.Shader
 import dev.lazyz.Srgb
+import dev.lazyz.behindAll
 import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
@@ -278,10 +279,10 @@ class TiledMeshProperties {
             Camera.orthographic(Vector3d(0.3, 0.4, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 4.0, 1.0, 20.0)
         }
         val convention = DepthConvention.entries[random.nextInt(2)]
+        val test = DepthTest.entries[random.nextInt(4)]
         val raster = Raster(
-            1 + random.nextInt(150), 1 + random.nextInt(100), Rgba(0.2f, 0.3f, 0.4f), convention,
-            DepthTest.entries[random.nextInt(4)],
-            if (random.nextInt(4) == 0) 1 shl 30 else convention.farthest,
+            1 + random.nextInt(150), 1 + random.nextInt(100), Rgba(0.2f, 0.3f, 0.4f), convention, test,
+            if (random.nextInt(4) == 0) 1 shl 30 else test.behindAll,
         )
         val lights = listOf(
             Light.Ambient(Rgba(0.1f, 0.1f, 0.2f)),

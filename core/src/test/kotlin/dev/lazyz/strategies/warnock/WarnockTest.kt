@@ -10,6 +10,7 @@ import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.behindAll
 import dev.lazyz.strategies.scanline.City
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.FrameBuilder
@@ -69,9 +70,8 @@ class WarnockTest {
     @Test
     fun everyDepthTestRejects() {
         for (test in DepthTest.entries) {
-            val behind = if (test.key(0, 0) < test.key(1, 0)) Int.MAX_VALUE else 0
             for (convention in DepthConvention.entries) {
-                val raster = Raster(128, 128, Rgba.WHITE, convention, test, behind)
+                val raster = Raster(128, 128, Rgba.WHITE, convention, test, test.behindAll)
                 val counters = counted(Stacks.layers(raster, 100, Submission.SHUFFLED, steepness = 20.0))
                 assertTrue(counters.depthEvaluations < 128 * 128 + 2 * 3 * 100, "$test $convention $counters")
             }

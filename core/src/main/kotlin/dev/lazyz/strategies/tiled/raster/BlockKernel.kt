@@ -4,14 +4,15 @@ package dev.lazyz.strategies.tiled.raster
  * Replaces the keys of one block, [BLOCK] x [BLOCK] samples, with those of a triangle where the latter are less: the
  * inner loops of the tiles.
  *
- * All kernels give the same bits. No state except scratch memory; belongs to one thread.
+ * All kernels give the same bits and the same counts. No state except scratch memory; belongs to one thread.
  */
 internal interface BlockKernel {
     /** Prepares for the triangle in [forms]; must be called when its steps have changed. */
     fun begin(forms: TriangleForms)
 
     /**
-     * Draws a block that the triangle covers completely. Stores the greatest resulting key in [farthest] at [block].
+     * Draws a block that the triangle covers completely. If a key was lowered, stores the greatest resulting key in
+     * [farthest] at [block].
      *
      * @param keys rows of [stride] keys; the block's first key is at [at]
      * @param z depth at the block's first sample, see [TriangleForms.z]

@@ -28,7 +28,7 @@ internal class ScalarBlockKernel : BlockKernel {
             }
             first += forms.zdy
         }
-        farthest[block] = most
+        if (passes > 0) farthest[block] = most
         return passes
     }
 
@@ -83,7 +83,7 @@ internal class ScalarBlockKernel : BlockKernel {
             first2 += forms.e2dy
             firstZ += forms.zdy
         }
-        farthest[block] = most
+        if (passes > 0) farthest[block] = most
         return covered.toLong() shl Int.SIZE_BITS or passes.toLong()
     }
 }

@@ -43,6 +43,7 @@ internal class VectorBlockKernel : BlockKernel {
     }
 
     override fun whole(keys: LongArray, at: Int, stride: Int, z: Long, farthest: LongArray, block: Int): Int {
+        val before = farthest[block]
         var passes = 0
         var most = Long.MIN_VALUE
         var column = 0
@@ -51,7 +52,7 @@ internal class VectorBlockKernel : BlockKernel {
             most = maxOf(most, farthest[block])
             column += LANES
         }
-        farthest[block] = most
+        farthest[block] = if (passes > 0) most else before
         return passes
     }
 
@@ -68,6 +69,7 @@ internal class VectorBlockKernel : BlockKernel {
         farthest: LongArray,
         block: Int,
     ): Long {
+        val before = farthest[block]
         var result = 0L
         var most = Long.MIN_VALUE
         var column = 0
@@ -76,7 +78,7 @@ internal class VectorBlockKernel : BlockKernel {
             most = maxOf(most, farthest[block])
             column += LANES
         }
-        farthest[block] = most
+        farthest[block] = if (result.toInt() > 0) most else before
         return result
     }
 
