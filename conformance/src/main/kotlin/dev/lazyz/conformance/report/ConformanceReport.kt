@@ -40,8 +40,12 @@ public class ConformanceReport internal constructor(
     /** The suite's version, see [ConformanceVersions]. */
     public val suiteVersion: String get() = ConformanceVersions.SUITE
 
-    /** Version of Java and name of the virtual machine. */
-    public val jvm: String = "${System.getProperty("java.version")}, ${System.getProperty("java.vm.name")}"
+    /**
+     * Version of Java, name of the virtual machine, and whether it has the Vector API: without it, loops of a renderer
+     * that use it were not tested.
+     */
+    public val jvm: String = "${System.getProperty("java.version")}, ${System.getProperty("java.vm.name")}, " +
+        (if (ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent) "with" else "without") + " the Vector API"
 
     /** The operating system and the processor architecture. */
     public val os: String = "${System.getProperty("os.name")} ${System.getProperty("os.arch")}"

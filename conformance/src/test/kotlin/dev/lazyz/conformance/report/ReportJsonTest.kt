@@ -41,6 +41,7 @@ class ReportJsonTest {
         assertEquals(report.strategy.version, strategy.text("version"))
         assertEquals(report.suiteVersion, json.text("suite"))
         assertEquals(report.jvm, json.text("jvm"))
+        assertTrue(report.jvm.endsWith(", with the Vector API"), report.jvm)
         assertEquals(report.os, json.text("os"))
         assertEquals("0.05", json.text("tries"))
         assertEquals("${report.milliseconds}", json.text("milliseconds"))
