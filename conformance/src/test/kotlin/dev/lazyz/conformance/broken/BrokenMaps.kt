@@ -15,13 +15,15 @@ object BrokenMaps {
 
     /** Derivatives of the sample that was shaded before. */
     fun footprintOfTheLastSample() = reshading("footprint-of-the-last-sample") { shader, _ ->
-        val last = Footprint()
-        Shader {
-            val own = Footprint(it)
-            if (last.isKnown) last.copyTo(it)
-            last.copy(own)
-            shader.shade(it)
-        }
+        late(shader, Footprint())
+    }
+
+    /** Returns [shader] with the derivatives of the sample before, which are in [last]. */
+    private fun late(shader: Shader, last: Footprint) = Shader {
+        val own = Footprint(it)
+        if (last.isKnown) last.copyTo(it)
+        last.copy(own)
+        shader.shade(it)
     }
 
     /** Derivatives that a surface does not have are those of a surface that was shaded before. */
@@ -43,14 +45,7 @@ object BrokenMaps {
         val last = Footprint()
         val isFine = frame.primitives.size > 1000
         val change = { inside: Inside, changes: Changes ->
-            inside.reshade(changes) { shader ->
-                Shader {
-                    val own = Footprint(it)
-                    if (isFine && last.isKnown) last.copyTo(it)
-                    last.copy(own)
-                    shader.shade(it)
-                }
-            }
+            if (isFine) inside.reshade(changes) { late(it, last) }
         }
         BrokenShading.changed(frame, change) { ZBuffer().render(frame, sink) }
     }
