@@ -54,6 +54,8 @@ internal class SampleBuffer(raster: Raster, val region: Region) {
 
     companion object {
         const val BYTES_PER_SAMPLE: Long = 12
-        private const val MAX_SAMPLES = Int.MAX_VALUE - 8L
+
+        /** As many as one array holds. */
+        const val MAX_SAMPLES: Long = Int.MAX_VALUE - 8L
     }
 }

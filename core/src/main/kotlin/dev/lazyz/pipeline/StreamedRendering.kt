@@ -38,7 +38,7 @@ internal class StreamedRendering(
     /** Renders all parts, and passes every row to [sink]. */
     fun run(sink: RowSink): Counters {
         var bytes = 0L
-        for (band in bands(frame.region)) {
+        for (band in bandsOf(frame.region, mostBytes)) {
             val samples = SampleBuffer(frame.raster, band)
             bytes = maxOf(bytes, samples.bytes)
             inOrder(parts.reaching(band), workers) { part ->
@@ -70,14 +70,15 @@ internal class StreamedRendering(
             }
         }
     }
+}
 
-    /** Returns the parts of the region, from top to bottom, each small enough. */
-    private fun bands(region: Region): List<Region> {
-        val rows = (mostBytes / (SampleBuffer.BYTES_PER_SAMPLE * region.width)).coerceIn(1, region.height.toLong())
-        return (region.rowStart until region.rowEnd step rows.toInt()).map { top ->
-            val bottom = minOf(top + rows, region.rowEnd.toLong()).toInt()
-            Region(region.columnStart, top, region.columnEnd, bottom)
-        }
+/** Returns bands of rows of [region], from top to bottom, that each take at most [mostBytes] or have one row. */
+internal fun bandsOf(region: Region, mostBytes: Long): List<Region> {
+    val samples = minOf(mostBytes / SampleBuffer.BYTES_PER_SAMPLE, SampleBuffer.MAX_SAMPLES)
+    val rows = (samples / region.width).coerceIn(1, region.height.toLong())
+    return (region.rowStart until region.rowEnd step rows.toInt()).map { top ->
+        val bottom = minOf(top + rows, region.rowEnd.toLong()).toInt()
+        Region(region.columnStart, top, region.columnEnd, bottom)
     }
 }
 

@@ -7,6 +7,7 @@ import dev.lazyz.FramePart
 import dev.lazyz.FrameParts
 import dev.lazyz.Image
 import dev.lazyz.Reach
+import dev.lazyz.Region
 import dev.lazyz.SampleScenes
 import dev.lazyz.Workers
 import dev.lazyz.strategies.tiled.Tiled
@@ -44,6 +45,15 @@ class StreamedRenderingTest {
         val rendering = StreamedRendering(frame, parts, workers, mostBytes) { part, sink -> Tiled().render(part, sink) }
         val counters: Counters = rendering.run(collector)
         return collector.toImage(counters)
+    }
+
+    @Test
+    fun bandsHaveAtMostAsManySamplesAsAnArray() {
+        val region = Region(0, 0, 1 shl 16, 1 shl 16)
+        val bands = bandsOf(region, Long.MAX_VALUE)
+        assertEquals(listOf(32_767, 32_767, 2), bands.map { it.height })
+        assertEquals(region.size, bands.sumOf { it.size })
+        assertEquals(listOf(1, 1), bandsOf(Region(0, 5, 1 shl 16, 7), 0).map { it.height })
     }
 
     @Test

@@ -1,6 +1,8 @@
 package dev.lazyz.planning
 
+import dev.lazyz.EmptyPrimitive
 import dev.lazyz.Frame
+import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
@@ -72,6 +74,22 @@ class RenderPlannerTest {
         // The counter has twice the bins, even if there is only one set of them
         val bound = need.rowBytes * need.rowArrays + 2 * need.bins + need.singles + need.layers + need.workers
         assertTrue(peak <= bound) { "$frame, tiles of $tile, $threads threads: $peak bytes, and the bound is $bound" }
+    }
+
+    @Test
+    fun customPrimitivesOfTheLargestBoundsNeedMemory() {
+        val far = 1 shl 30
+        val huge = object : Primitive by EmptyPrimitive {
+            override val rowStart get() = -far
+            override val rowEnd get() = far
+            override val columnStart get() = -far
+            override val columnEnd get() = far
+        }
+        val raster = Raster(64, 64)
+        val (without, with) = listOf(listOf(), listOf(huge)).map { more ->
+            TiledMemory(Frame(raster, scenes[0].frame(raster).asOpaque().primitives + more), 64, 1).singles
+        }
+        assertTrue(without < with) { "$without bytes without it, $with with it" }
     }
 
     @Test

@@ -116,6 +116,7 @@ class PageCommandsTest {
 
         /** Blocks that are run in no build, by the page and the begin of the first line, and why. */
         val NOT_RUN = mapOf(
+            "docs/conformance.md: mvn test" to "takes an hour; by default, the suite's tests use one other seed",
             "docs/contact-sheet/README.md: python3 -m pip" to NEEDS,
             "docs/contact-sheet/README.md: python3 docs/contact-sheet" to NEEDS,
             "docs/fuzzing.md: mvn verify" to "takes an hour; .ci/run does the same for a minute",

@@ -38,12 +38,13 @@ private fun tallMesh(height: Int, random: Random): FrameCase {
 
 /**
  * Frames of a few triangles, in random order, on rasters of very many rows, and of very many columns: one for each
- * power of two, so that numbers of tiles have all numbers of digits.
+ * power of two, so that numbers of tiles have all numbers of digits. Each has the triangles one by one, and smaller
+ * ones as a mesh.
  */
 internal fun longRasters(salt: Long): List<FrameCase> {
     val random = Random(salt)
     val lengths = LENGTHS.map { it + random.nextInt(it) }
-    return lengths.flatMap { listOf(Raster(SHORT, it), Raster(it, SHORT)) }.map { raster ->
+    return lengths.flatMap { listOf(Raster(SHORT, it), Raster(it, SHORT)) }.flatMap { raster ->
         val pieces = List(TRIANGLES) {
             val x = random.nextInt(raster.width - SHORT + 1).toDouble()
             val y = random.nextInt(raster.height - SHORT + 1).toDouble()
@@ -51,7 +52,13 @@ internal fun longRasters(salt: Long): List<FrameCase> {
             val contour = doubleArrayOf(x, y, z, x + SHORT, y, z, x, y + SHORT, z)
             PolygonPiece(listOf(contour), FillRule.NON_ZERO)
         }
-        screenCase(raster, pieces)
+        val corners = List(TRIANGLES) {
+            val size = 1 + random.nextInt(SHORT)
+            val x = random.nextInt(raster.width - size + 1)
+            val y = random.nextInt(raster.height - size + 1)
+            triangle(x, y, size, random.nextInt(DEPTHS) / DEPTHS.toFloat())
+        }
+        listOf(screenCase(raster, pieces), screenMesh(raster, corners))
     }
 }
 
@@ -70,5 +77,5 @@ internal fun wideMesh(salt: Long): FrameCase {
 /** More than the largest side of a tile. */
 private const val WIDE = 520
 private const val SHORT = 8
-private val LENGTHS = List(5) { 1024 shl it }
+private val LENGTHS = List(8) { 1024 shl it }
 private const val DEPTHS = 16

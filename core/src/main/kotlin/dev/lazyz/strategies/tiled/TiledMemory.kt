@@ -124,7 +124,8 @@ internal class TiledMemory(private val frame: Frame, tileSize: Int, private val 
     private fun spanBytes(primitive: Primitive): Long {
         val columns = minOf(primitive.columnEnd, region.columnEnd) - maxOf(primitive.columnStart, region.columnStart)
         val mostSpans = if (primitive is MaskedPrimitive) columns.toLong() else primitive.heldBytes / EDGES_BYTES
-        val rows = minOf(primitive.rowEnd - primitive.rowStart, grid.tileHeight)
+        val height = minOf(primitive.rowEnd, region.rowEnd) - maxOf(primitive.rowStart, region.rowStart)
+        val rows = minOf(height, grid.tileHeight)
         return SPANS_BYTES + rows * (Int.SIZE_BYTES + SPAN_BYTES * mostSpans.coerceIn(1, maxOf(columns, 1).toLong()))
     }
 

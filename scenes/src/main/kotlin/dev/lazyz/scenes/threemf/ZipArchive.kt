@@ -37,7 +37,7 @@ internal class ZipArchive(private val source: Source) {
         if (start < 0 || start > buffer.limit() - LOCAL_HEADER || buffer.getInt(start.toInt()) != LOCAL_MARK) damaged()
         val at = start.toInt()
         val content = start + LOCAL_HEADER + short(at + 26) + short(at + 28)
-        if (entry.size < 0 || content + entry.size > buffer.limit()) damaged()
+        if (entry.size < 0 || entry.size > buffer.limit() - content) damaged()
         val packed = ByteArrayInputStream(source.bytes, content.toInt(), entry.size.toInt())
         return when (entry.method) {
             STORED -> packed

@@ -2,15 +2,19 @@ package dev.lazyz.scenes.threemf
 
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.threemf.ThreeMfFiles.TRIANGLE
 import dev.lazyz.scenes.threemf.ThreeMfFiles.model
 import java.io.ByteArrayOutputStream
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
 import java.util.zip.ZipEntry
 import java.util.zip.ZipOutputStream
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
@@ -56,6 +60,20 @@ class ThreeMfErrorsTest {
         val packed = { value: Int -> bytes.copyOf().also { it[directory + 10] = value.toByte() } }
         assertFails(packed(9), "3D/3dmodel.model", "method 9")
         assertFails(bytes.copyOf().also { it[directory + 8] = 1 }, "3D/3dmodel.model", "encrypted")
+    }
+
+    @Test
+    fun sizesBeyondTheEndOfTheArchiveAreRefused() {
+        // The directory's entry of a file with a long name becomes one with a short name and an extra field, which has
+        // the largest size of 64 bits
+        val bytes = ThreeMfFiles.stored("a" + "-".repeat(12) to ByteArray(9))
+        val directory = String(bytes, Charsets.ISO_8859_1).lastIndexOf("PK\u0001\u0002")
+        ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).putInt(directory + 20, -1)
+            .putShort(directory + 28, 1).putShort(directory + 30, 12)
+            .putShort(directory + 47, 1).putShort(directory + 49, 8).putLong(directory + 51, Long.MAX_VALUE)
+        val archive = ZipArchive(Source(bytes, "test", null, Loading(LoadOptions())))
+        val error = assertThrows(SceneFormatException::class.java) { archive.open("a") }
+        assertTrue("damaged" in error.message!!, error.message)
     }
 
     @Test

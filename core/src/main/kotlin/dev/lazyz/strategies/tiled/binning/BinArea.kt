@@ -1,8 +1,13 @@
 package dev.lazyz.strategies.tiled.binning
 
 import dev.lazyz.strategies.tiled.raster.TileGrid
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
-/** The tiles of a set of bins: those of the bands [bandStart] until [bandEnd]. Immutable. */
+/**
+ * The tiles of a set of bins: those of the bands [bandStart] until [bandEnd]. Immutable.
+ *
+ * @throws IllegalArgumentException if these tiles have more than 2^32 samples
+ */
 internal class BinArea(private val grid: TileGrid, private val bandStart: Int, bandEnd: Int) {
     /** The samples of these tiles. */
     @JvmField val columnStart: Int = grid.region.columnStart
@@ -26,9 +31,22 @@ internal class BinArea(private val grid: TileGrid, private val bandStart: Int, b
     /** The number of a tile. */
     fun tile(band: Int, column: Int): Int = (band - bandStart) * columns + column
 
-    /** The number of the tile that contains a sample. */
-    fun tileAt(x: Int, y: Int): Int = tile(grid.bandOf(y), grid.columnOf(x))
+    private val stride = VisibilityBuffer.stride(grid)
+    private val placeBits = Int.SIZE_BITS - (stride * grid.tileHeight - 1).countLeadingZeroBits()
 
-    /** The place of a sample within its tile, whose rows have [stride] places. */
-    fun placeInTile(x: Int, y: Int, stride: Int): Int = grid.rowInTile(y) * stride + grid.columnInTile(x)
+    init {
+        require(tiles.toLong() shl placeBits <= 1L shl Int.SIZE_BITS) {
+            "a row of $columns tiles of ${grid.size} x ${grid.size} samples is too long; use smaller tiles (tileSize)"
+        }
+    }
+
+    /** The tile of a sample and its place in the tile, in one number of 32 bits: see [tileOf] and [placeOf]. */
+    fun locate(x: Int, y: Int): Int =
+        tile(grid.bandOf(y), grid.columnOf(x)) shl placeBits or grid.rowInTile(y) * stride + grid.columnInTile(x)
+
+    /** The tile of a sample that is at [location]. */
+    fun tileOf(location: Int): Int = location ushr placeBits
+
+    /** The place in its tile of a sample that is at [location]. */
+    fun placeOf(location: Int): Int = location and (1 shl placeBits) - 1
 }

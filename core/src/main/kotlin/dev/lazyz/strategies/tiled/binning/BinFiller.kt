@@ -5,7 +5,6 @@ import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.strategies.tiled.raster.SmallCoverage
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
-import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**
  * The triangles and fragments that one chunk of a frame's triangles adds to [TriangleBins], in the order in which they
@@ -24,7 +23,6 @@ internal class BinFiller(
     private val fragmentEnds: BinBounds,
 ) {
     private val row = WideTriangles.ROW + 1 + number
-    private val stride = VisibilityBuffer.stride(grid)
     private val forms = TriangleForms(test)
     private val tiles = CoarseRaster(area, grid)
 
@@ -34,7 +32,7 @@ internal class BinFiller(
     /** Nearest keys of the wide triangles. */
     val wide: NearToFar = NearToFar()
 
-    /** Key of each fragment, with its tile (shifted left by [TILE_SHIFT] bits) and its place in the tile. */
+    /** Key of each fragment, with its tile and its place in the tile, see [BinArea.locate]. */
     private val fragments = KeyedPlaces(pool)
 
     /** Bytes held. */
@@ -79,9 +77,9 @@ internal class BinFiller(
             val place = Integer.numberOfTrailingZeros(rest)
             val x = left + SmallCoverage.column(place)
             val y = top + SmallCoverage.row(place)
-            val tile = area.tileAt(x, y)
-            fragmentEnds.count(number, tile)
-            fragments.add(forms.keyAt(x, y), tile shl TILE_SHIFT or area.placeInTile(x, y, stride))
+            val location = area.locate(x, y)
+            fragmentEnds.count(number, area.tileOf(location))
+            fragments.add(forms.keyAt(x, y), location)
             rest = rest and (rest - 1)
         }
     }
@@ -97,20 +95,17 @@ internal class BinFiller(
     /** Moves triangles and fragments to their bins; nothing is left here. */
     fun distribute(triangleKeys: LongArray, keys: LongArray, places: IntArray) {
         triangles.forEach { nearest, tile -> triangleKeys[triangleEnds.next(row, tile)] = nearest }
-        fragments.forEach { key, place ->
-            val to = fragmentEnds.next(number, place ushr TILE_SHIFT)
+        fragments.forEach { key, location ->
+            val to = fragmentEnds.next(number, area.tileOf(location))
             keys[to] = key
-            places[to] = place and (1 shl TILE_SHIFT) - 1
+            places[to] = area.placeOf(location)
         }
         triangles.release()
         fragments.release()
     }
 
     companion object {
-        /** Most tiles for which bins are made at a time: 12 bits. */
+        /** Most tiles for which bins are made at a time, unless a band has more. */
         const val MOST_TILES: Int = 1 shl 12
-
-        /** A tile has at most 2^18 places. */
-        private const val TILE_SHIFT = 18
     }
 }

@@ -34,13 +34,18 @@ internal class EndlessSteps(private val most: Int) {
         } catch (e: ExecutionException) {
             throw e.cause ?: e
         } catch (e: TimeoutException) {
-            synchronized(abandoned) { abandoned.add(thread) }
-            thread.priority = Thread.MIN_PRIORITY
+            abandon(thread)
             throw DracoException("the compressed data is damaged, or takes more than $milliseconds ms to decode", e)
         } catch (e: InterruptedException) {
+            abandon(thread)
             Thread.currentThread().interrupt()
             throw DracoException("the thread was interrupted", e)
         }
+    }
+
+    private fun abandon(thread: Thread) {
+        synchronized(abandoned) { abandoned.add(thread) }
+        thread.priority = Thread.MIN_PRIORITY
     }
 
     private fun countRunning(): Int = synchronized(abandoned) {

@@ -90,6 +90,16 @@ class DracoGeometryTest {
     }
 
     @Test
+    fun interruptedStepsAreAbandonedToo() {
+        val steps = EndlessSteps(1)
+        Thread.currentThread().interrupt()
+        assertThrows(DracoException::class.java) { steps.run(60_000) { Thread.sleep(60_000) } }
+        assertTrue(Thread.interrupted())
+        val message = assertThrows(DracoException::class.java) { steps.run(1000) { } }.message!!
+        assertTrue("still busy" in message, message)
+    }
+
+    @Test
     fun stepsThatEndAfterAllMakeRoomForOthers() {
         val steps = EndlessSteps(1)
         val isOver = CountDownLatch(1)
