@@ -12,23 +12,26 @@ import dev.lazyz.Workers
  * area is a band of rows, or a part of one row, that is so small that [LayeredSamples] hold it: if an area has too many
  * translucent fragments, the pass ends, and begins again for half of the area.
  *
- * Memory: [mostBytes], and three parts. Used by one thread.
+ * Memory: [mostBytes] or what one row takes, whichever is more, and three parts. A single sample may take more. Used by
+ * one thread.
  *
- * @param mostBytes most bytes of an area
+ * @param mostBytes most bytes of an area, unless one row takes more
+ * @param mostBytesOfASample most bytes of an area that is a single sample, if this is more
  */
 internal class LayeredRendering(
     private val frame: Frame,
     private val parts: FrameParts,
     private val workers: Workers,
     mostBytes: Long,
+    private val mostBytesOfASample: Long = bandBytes(null),
 ) {
-    private val mostBytes = minOf(mostBytes, MOST_BYTES)
-    private val counters = Counters.Builder()
     private val region = frame.region
+    private val bytesPerRow = BYTES_PER_SAMPLE * region.width
+    private val mostBytes = mostBytes.coerceIn(minOf(bytesPerRow, MOST_BYTES), MOST_BYTES)
+    private val counters = Counters.Builder()
 
     /** Renders all parts, and passes every row to [sink]. */
     fun run(sink: RowSink): Counters {
-        val bytesPerRow = BYTES_PER_SAMPLE * region.width
         var rows = (mostBytes / bytesPerRow).coerceIn(1, region.height.toLong()).toInt()
         var width = region.width
         var top = region.rowStart
@@ -36,8 +39,16 @@ internal class LayeredRendering(
         val row = CollectedRow(region)
         while (top < region.rowEnd) {
             val area = Region(left, top, minOf(left + width, region.columnEnd), minOf(top + rows, region.rowEnd))
-            val samples = LayeredSamples(frame.raster, area, mostBytes, counters)
-            if (!draw(area, samples)) {
+            val pass = Counters.Builder()
+            val samples = LayeredSamples(frame.raster, area, mostBytesOf(area), pass)
+            val isComplete = draw(area, samples)
+            if (!isComplete) {
+                // The passes over its halves count these fragments; a fragment counts once (contract rule 8.1)
+                pass.fragments = 0
+                pass.depthPasses = 0
+            }
+            counters.add(pass.build())
+            if (!isComplete) {
                 require(area.size > 1) { "${tooMany(area)}: ${remedy()}" }
                 if (area.height > 1) rows = (area.height + 1) / 2 else width = (area.width + 1) / 2
                 continue
@@ -55,11 +66,15 @@ internal class LayeredRendering(
         return counters.build()
     }
 
+    private fun mostBytesOf(area: Region): Long =
+        if (area.size == 1L) maxOf(mostBytes, mostBytesOfASample) else mostBytes
+
     private fun tooMany(area: Region) =
         "column ${area.columnStart} of row ${area.rowStart} has more translucent fragments than fit into memory"
 
     private fun remedy() =
-        "they may take $mostBytes bytes; allow more memory (-Xmx), or make the frame opaque with asOpaque()"
+        "they may take ${maxOf(mostBytes, mostBytesOfASample)} bytes; allow more memory (-Xmx), " +
+            "or make the frame opaque with asOpaque()"
 
     /** Draws all primitives within [area]. Returns false if there is not enough memory. */
     private fun draw(area: Region, samples: LayeredSamples): Boolean {

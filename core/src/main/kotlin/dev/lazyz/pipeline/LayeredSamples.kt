@@ -109,7 +109,7 @@ internal class LayeredSamples(
             removeHidden()
 
             // With little room left, the next removal would follow too soon
-            return count < mostLayers / 4 * 3
+            return count < mostLayers - mostLayers / 4
         }
         val room = minOf(maxOf(LEAST_LAYERS, next.size + next.size / 2), mostLayers)
         next = next.copyOf(room)

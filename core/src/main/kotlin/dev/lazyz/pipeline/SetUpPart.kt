@@ -12,6 +12,7 @@ import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.setup.planar.triangleBatch
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.FutureTask
+import java.util.concurrent.atomic.AtomicReference
 
 /** A part of a streamed frame whose primitives are in memory. [first] is the submission index of the first one. */
 internal class SetUpPart(val first: Int, val content: FrameContent) {
@@ -55,12 +56,12 @@ internal inline fun inOrder(parts: List<FramePart>, workers: Workers, action: (S
     val helpers = Helpers(workers.executor)
     var isDone = false
     try {
-        var next = parts.firstOrNull()?.let { task(it) }
+        var next = parts.firstOrNull()?.let { PartToMake(it) }
         for (number in parts.indices) {
             val current = checkNotNull(next)
-            next = parts.getOrNull(number + 1)?.let { task(it) }
-            if (next != null && workers.threads > 1) helpers.start(next::run)
-            action(resultOf(current))
+            next = parts.getOrNull(number + 1)?.let { PartToMake(it) }
+            if (next != null && workers.threads > 1) helpers.start(next::make)
+            action(current.take())
         }
         isDone = true
     } finally {
@@ -68,14 +69,24 @@ internal inline fun inOrder(parts: List<FramePart>, workers: Workers, action: (S
     }
 }
 
-internal fun task(part: FramePart): FutureTask<SetUpPart> = FutureTask { SetUpPart(part.first, part.content()) }
+/** A part that one of two threads makes, whichever comes first. Thread safe. */
+internal class PartToMake(part: FramePart) {
+    // An executor may keep its task for long, and run it late or never; the task must not keep the part
+    private val task = AtomicReference(FutureTask { SetUpPart(part.first, part.content()) })
 
-/** Returns the result of [task]. If no thread has begun it, this one does it. */
-internal fun resultOf(task: FutureTask<SetUpPart>): SetUpPart {
-    task.run()
-    try {
-        return task.get()
-    } catch (e: ExecutionException) {
-        throw e.cause ?: e
+    /** Makes the part, unless another thread has begun to. Its failure is thrown by [take]. */
+    fun make() {
+        task.get()?.run()
+    }
+
+    /** Returns the part, and forgets it. Makes it if no thread has begun to. Only once. */
+    fun take(): SetUpPart {
+        val own = checkNotNull(task.getAndSet(null))
+        own.run()
+        try {
+            return own.get()
+        } catch (e: ExecutionException) {
+            throw e.cause ?: e
+        }
     }
 }

@@ -1,12 +1,15 @@
 package dev.lazyz.pipeline
 
+import dev.lazyz.Frame
 import dev.lazyz.FrameContent
 import dev.lazyz.FramePart
 import dev.lazyz.FrameParts
 import dev.lazyz.Image
+import dev.lazyz.Region
 import dev.lazyz.SampleScenes
 import dev.lazyz.Workers
 import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.AlphaMode
 import java.util.Random
@@ -29,7 +32,12 @@ internal fun glazed(seed: Long): Scene {
 class LayeredRenderingTest {
     private val frame = glazed(7).frame(40, 37)
 
-    private fun render(mostBytes: Long, reversed: Boolean = false): Image {
+    private fun render(
+        mostBytes: Long,
+        reversed: Boolean = false,
+        mostOfASample: Long = 1 shl 20,
+        frame: Frame = this.frame,
+    ): Image {
         val pieces = frame.primitives.chunked(3).withIndex().toList()
         val parts = FrameParts(frame.primitives.size, hasTranslucency = true) {
             (if (reversed) pieces.reversed() else pieces).map { (number, piece) ->
@@ -37,17 +45,20 @@ class LayeredRenderingTest {
             }.iterator()
         }
         val collector = Image.Collector(frame.region)
-        return collector.toImage(LayeredRendering(frame, parts, Workers.ALL, mostBytes).run(collector))
+        val rendering = LayeredRendering(frame, parts, Workers.ALL, mostBytes, mostOfASample)
+        return collector.toImage(rendering.run(collector))
     }
 
     @Test
     fun areasOfAnySizeGiveTheSamePicture() {
         assertTrue(frame.primitives.any { it.isTranslucent } && frame.primitives.any { !it.isTranslucent })
         val expected = Tiled().render(frame)
-        for (mostBytes in listOf(1L shl 30, 100_000, 30_000, 5000, 2000, 700)) {
+        val fragments = ZBuffer().render(frame.asOpaque()).counters.fragments
+        for (mostBytes in listOf(1L shl 30, 100_000, 30_000, 5000, 2240, 0)) {
             for (reversed in listOf(false, true)) {
                 val image = render(mostBytes, reversed)
                 assertEquals(expected.pixelHash(), image.pixelHash(), "$mostBytes bytes, $reversed")
+                assertEquals(fragments, image.counters.fragments, "$mostBytes bytes, $reversed")
                 for (y in 0 until 37) {
                     for (x in 0 until 40) {
                         assertEquals(expected.depth(x, y), image.depth(x, y))
@@ -58,9 +69,25 @@ class LayeredRenderingTest {
         }
     }
 
+    /** In a narrow region a row has little memory, so that single samples have too many fragments for it. */
+    @Test
+    fun aSampleMayTakeMoreThanARow() {
+        val (left, top) = 20 to 5
+        for (width in 1..3) {
+            val part = frame.within(Region(left, top, left + width, 30))
+            val expected = Tiled().render(part).pixelHash()
+            for (reversed in listOf(false, true)) {
+                assertEquals(expected, render(0, reversed, frame = part).pixelHash(), "$width columns, $reversed")
+            }
+        }
+    }
+
     @Test
     fun aSampleThatDoesNotFitIsNamed() {
-        val thrown = assertThrows(IllegalArgumentException::class.java) { render(28) }
+        val narrow = frame.within(Region(20, 0, 21, 37))
+        val thrown = assertThrows(IllegalArgumentException::class.java) {
+            render(28, mostOfASample = 28, frame = narrow)
+        }
         assertTrue("translucent fragments" in thrown.message!! && "-Xmx" in thrown.message!!, thrown.message)
     }
 }

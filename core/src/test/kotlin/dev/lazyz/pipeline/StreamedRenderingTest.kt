@@ -11,10 +11,12 @@ import dev.lazyz.Region
 import dev.lazyz.SampleScenes
 import dev.lazyz.Workers
 import dev.lazyz.strategies.tiled.Tiled
+import java.lang.ref.WeakReference
 import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** Streamed frames: bands of rows, parts that are not read, and failures. */
@@ -45,6 +47,25 @@ class StreamedRenderingTest {
         val rendering = StreamedRendering(frame, parts, workers, mostBytes) { part, sink -> Tiled().render(part, sink) }
         val counters: Counters = rendering.run(collector)
         return collector.toImage(counters)
+    }
+
+    @Test
+    fun partsAreForgottenAlsoIfTheExecutorRunsNoTask() {
+        val live = ArrayList<WeakReference<FrameContent>>()
+        var most = 0
+        val pieces = frame.primitives.chunked(1).take(12)
+        val parts = FrameParts(pieces.size, hasTranslucency = false) {
+            pieces.withIndex().map { (number, piece) ->
+                FramePart(number, 1, null) {
+                    System.gc()
+                    most = maxOf(most, live.count { it.get() != null })
+                    FrameContent.of(piece).also { live += WeakReference(it) }
+                }
+            }.iterator()
+        }
+        render(parts, Long.MAX_VALUE, Workers(2) { })
+        assertEquals(12, live.size)
+        assertTrue(most <= 2) { "$most parts are in memory while another one is made" }
     }
 
     @Test

@@ -58,7 +58,8 @@ import java.util.concurrent.atomic.AtomicReference
  * that is more than [RenderOptions.bandBytes], by default a third of the heap, into one band of rows after the other,
  * with a pass over the parts for each. Each part is shaded where it is nearest within itself, so later parts can hide
  * some of what was shaded. If it has translucent primitives, one thread draws it into areas that each take at most as
- * much, at 28 bytes for each sample and each translucent fragment that was not yet hidden when it was drawn.
+ * much, at 28 bytes for each sample and each translucent fragment that was not yet hidden when it was drawn. A single
+ * sample may take a third of the heap.
  *
  * Otherwise memory does not grow with the number of rows. For very wide pictures use smaller tiles. Rows and bins are
  * kept for the next rendering through soft references: rendering a frame similar to the last one allocates no large
