@@ -112,7 +112,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         if (rendering.isSelecting && picture.shadingRate == ShadingRate.PIXEL) {
             throw Mistake("--shading-rate pixel cannot be combined with --select")
         }
-        val spooling = streaming.spoolOption ?: limits.spoolOption
+        val spooling = streaming.spoolOption
         if (spooling != null && streaming.request == null && memory.bytes == null) {
             throw Mistake("$spooling needs --stream, or --memory")
         }
@@ -203,7 +203,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         val usualSamples = if (rendering.selector == Selector.count()) 1 else picture.usualSamples
         return subject(
             input, reading, limits, picture, light, camera, lines, usualSamples,
-            isSelected = rendering.isSelecting, usualSize, memory.bytes,
+            isSelected = rendering.isSelecting, usualSize, memory.bytes, streaming.spoolBytes,
         )
     }
 

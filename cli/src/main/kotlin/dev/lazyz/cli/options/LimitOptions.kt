@@ -21,7 +21,7 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
         "--max-decoded",
         help =
         "Maximum memory for decoded input: bytes, or with k, m, g; default: 128m plus 512 times the size of the " +
-            "files, at most half of Java's memory. Not for --stream, which keeps no decoded input",
+            "files, at most half of Java's memory",
     ).bytes()
 
     private val triangles by option("--max-triangles", help = "Maximum triangles; default: no limit").count()
@@ -41,27 +41,18 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
         help = "Maximum time for reading and rendering an input, 0..1000000; default: no limit",
     ).number("SECONDS", 0.0..1e6, " seconds")
 
-    private val spool by option(
-        "--max-spool",
-        help = "Maximum size of temporary files of --stream and --memory: bytes, or with k, m, g; default: the free " +
-            "space",
-    ).bytes()
-
-    /** The option that was given of those that have an effect only if a model is read part by part, or null. */
-    val spoolOption: String? get() = spool?.let { "--max-spool" }
-
     /** The option that was given of those that have no effect if a model is read part by part, or null. */
     val wholeOption: String? get() = decoded?.let { "--max-decoded" }
 
-    /** Returns the limits. */
-    fun limits() = LoadLimits(
+    /** Returns the limits; [spoolBytes] is that of temporary files, or null. */
+    fun limits(spoolBytes: Long?) = LoadLimits(
         decodedBytes = decoded,
         triangles = triangles ?: Long.MAX_VALUE,
         vertices = vertices ?: Long.MAX_VALUE,
         texels = texels ?: Long.MAX_VALUE,
         nesting = nesting ?: LoadLimits.DEFAULT_NESTING,
         time = seconds?.let { Duration.ofMillis(ceil(it * MILLISECONDS).toLong()) },
-        spoolBytes = spool,
+        spoolBytes = spoolBytes,
         references = if (isOutsideAllowed) ReferencePolicy.ANYWHERE else ReferencePolicy.WITHIN_FOLDER,
     )
 

@@ -29,6 +29,7 @@ internal const val INPUT_HELP: String =
  * @param isSelected whether a pixel shows other fragments than the nearest
  * @param usualSize the size of the picture if the user does not choose; null means that of the scene
  * @param memory bytes of memory that may be used, or null for all that Java may use
+ * @param spoolBytes most bytes of temporary files, or null for those that are free
  */
 internal fun subject(
     input: String,
@@ -42,9 +43,10 @@ internal fun subject(
     isSelected: Boolean = false,
     usualSize: ImageSize? = picture.usualSize,
     memory: Long? = null,
+    spoolBytes: Long? = null,
 ): Subject {
     val style = picture.style
-    val ownLimits = limits.limits()
+    val ownLimits = limits.limits(spoolBytes)
     val loadLimits = if (memory == null) ownLimits else ownLimits.withMemory(memory)
     val lightChoice = light.choice(picture)
     val usualRate = if (lightChoice.hasOcclusion && !isSelected) ShadingRate.PIXEL else ShadingRate.SAMPLE

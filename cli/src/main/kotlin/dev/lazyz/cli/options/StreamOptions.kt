@@ -20,6 +20,12 @@ internal class StreamOptions : OptionGroup("Large models") {
             "model, and a copy of standard input; default: the folder for temporary files of the system",
     ).path()
 
+    /** Most bytes of temporary files, or null. */
+    val spoolBytes by option(
+        "--max-spool",
+        help = "Maximum size of these temporary files: bytes, or with k, m, g; default: the free space, less 64 MiB",
+    ).bytes()
+
     /** What the options ask for, or null. */
     val request: StreamRequest? get() = if (isStreamed) forMemory else null
 
@@ -27,7 +33,7 @@ internal class StreamOptions : OptionGroup("Large models") {
     val forMemory: StreamRequest get() = StreamRequest(spool)
 
     /** The option that was given of those that have an effect only if a model is read part by part, or null. */
-    val spoolOption: String? get() = spool?.let { "--spool" }
+    val spoolOption: String? get() = if (spool != null) "--spool" else spoolBytes?.let { "--max-spool" }
 }
 
 /** Options of the memory of the whole program. */

@@ -90,7 +90,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         val here = "accessors[$index]"
         val count = count(accessor, here)
         if (accessor.bufferView == null) {
-            if (count > MAX_ZEROS) {
+            if (accessor.sparse == null && count > MAX_ZEROS) {
                 document.fail("$here.count", "$count elements without a buffer view are more than $MAX_ZEROS")
             }
             return null
@@ -133,8 +133,8 @@ internal class GltfAccessors(private val document: GltfDocument) {
 
     private companion object {
         /**
-         * The maximum number of elements of an accessor without a buffer view, whose elements are all 0. Without this
-         * limit, a few bytes of a file could request a lot of memory.
+         * The maximum number of elements of an accessor without a buffer view and without sparse values, whose elements
+         * are all 0. Nothing needs more of them, and a few bytes of a file would request a lot of memory.
          */
         const val MAX_ZEROS = 1 shl 20
     }

@@ -82,6 +82,20 @@ class GltfAttributesTest {
     }
 
     @Test
+    fun sparseValuesMayReplaceAFewOfAMillionZeros() {
+        val files = GltfFiles()
+        val count = 1_200_000
+        val places = files.view(files.encode(UINT, listOf(count - 1)))
+        val values = files.view(files.encode(FLOAT, listOf(1, 2, 3)))
+        files.accessor(
+            """{"componentType":$FLOAT,"count":$count,"type":"VEC3","sparse":{"count":1,
+            "indices":{"bufferView":$places,"componentType":$UINT},"values":{"bufferView":$values}}}""",
+        )
+        val positions = mesh(files, "\"POSITION\":0").positions
+        assertEquals(listOf(3 * count, 1f, 2f, 3f), listOf(positions.size) + positions.takeLast(3))
+    }
+
+    @Test
     fun textureDecidesWhichCoordinatesAreUsed() {
         val files = GltfFiles()
         files.accessor("VEC3", FLOAT, triangle)
