@@ -18,7 +18,7 @@ internal class StreamOptions : OptionGroup("Large models") {
         "--spool",
         help = "The folder for temporary files of --stream and --memory, which take about as much space as the " +
             "model, and a copy of standard input; default: the folder for temporary files of the system",
-    ).path()
+    ).path("FOLDER")
 
     /** Most bytes of temporary files, or null. */
     val spoolBytes by option(

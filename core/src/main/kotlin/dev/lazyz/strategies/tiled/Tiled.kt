@@ -129,7 +129,7 @@ public class Tiled internal constructor(
      * Renders [frame] and passes every row to [sink], on this thread.
      *
      * @throws IllegalArgumentException if the frame is streamed, and one sample has more translucent fragments than fit
-     *   into a third of the heap
+     *   into a third of the heap; or if a row of tiles has more than 2^32 samples
      * @throws InterruptedException if this thread is interrupted; all threads stop at their next primitive or row, and
      *   the sink receives no further rows
      */

@@ -25,12 +25,6 @@ internal class BinArea(private val grid: TileGrid, private val bandStart: Int, b
     /** Number of tiles. */
     val tiles: Int = bands * columns
 
-    /** Converts an index within these bands to a band number. */
-    fun band(number: Int): Int = bandStart + number
-
-    /** The number of a tile. */
-    fun tile(band: Int, column: Int): Int = (band - bandStart) * columns + column
-
     private val stride = VisibilityBuffer.stride(grid)
     private val placeBits = Int.SIZE_BITS - (stride * grid.tileHeight - 1).countLeadingZeroBits()
 
@@ -39,6 +33,12 @@ internal class BinArea(private val grid: TileGrid, private val bandStart: Int, b
             "a row of $columns tiles of ${grid.size} x ${grid.size} samples is too long; use smaller tiles (tileSize)"
         }
     }
+
+    /** Converts an index within these bands to a band number. */
+    fun band(number: Int): Int = bandStart + number
+
+    /** The number of a tile. */
+    fun tile(band: Int, column: Int): Int = (band - bandStart) * columns + column
 
     /** The tile of a sample and its place in the tile, in one number of 32 bits: see [tileOf] and [placeOf]. */
     fun locate(x: Int, y: Int): Int =
