@@ -156,7 +156,8 @@ public class Image(
     }
 
     public companion object {
-        private const val MAX_SAMPLES: Long = Int.MAX_VALUE - 8L
+        /** Most samples of an image, and of anything else with an array element for each sample. */
+        internal const val MAX_SAMPLES: Long = Int.MAX_VALUE - 8L
 
         /**
          * Merges two images of parts of one frame (split by primitives, see [Frame.keeping], or by regions, see

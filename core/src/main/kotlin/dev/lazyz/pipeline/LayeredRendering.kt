@@ -23,11 +23,12 @@ internal class LayeredRendering(
     private val parts: FrameParts,
     private val workers: Workers,
     mostBytes: Long,
-    private val mostBytesOfASample: Long = bandBytes(null),
+    mostBytesOfASample: Long = bandBytes(null),
 ) {
     private val region = frame.region
     private val bytesPerRow = BYTES_PER_SAMPLE * region.width
     private val mostBytes = mostBytes.coerceIn(minOf(bytesPerRow, MOST_BYTES), MOST_BYTES)
+    private val mostBytesOfASample = maxOf(mostBytesOfASample, this.mostBytes)
     private val counters = Counters.Builder()
 
     /** Renders all parts, and passes every row to [sink]. */
@@ -39,17 +40,15 @@ internal class LayeredRendering(
         val row = CollectedRow(region)
         while (top < region.rowEnd) {
             val area = Region(left, top, minOf(left + width, region.columnEnd), minOf(top + rows, region.rowEnd))
-            val pass = Counters.Builder()
-            val samples = LayeredSamples(frame.raster, area, mostBytesOf(area), pass)
-            val isComplete = draw(area, samples)
-            if (!isComplete) {
-                // The passes over its halves count these fragments; a fragment counts once (contract rule 8.1)
-                pass.fragments = 0
-                pass.depthPasses = 0
-            }
-            counters.add(pass.build())
-            if (!isComplete) {
+            val most = if (area.size == 1L) mostBytesOfASample else mostBytes
+            val samples = LayeredSamples(frame.raster, area, most, counters)
+            val (fragments, depthPasses) = counters.fragments to counters.depthPasses
+            if (!draw(area, samples)) {
                 require(area.size > 1) { "${tooMany(area)}: ${remedy()}" }
+
+                // The passes over its halves count these fragments; a fragment counts once (contract rule 8.1)
+                counters.fragments = fragments
+                counters.depthPasses = depthPasses
                 if (area.height > 1) rows = (area.height + 1) / 2 else width = (area.width + 1) / 2
                 continue
             }
@@ -66,14 +65,11 @@ internal class LayeredRendering(
         return counters.build()
     }
 
-    private fun mostBytesOf(area: Region): Long =
-        if (area.size == 1L) maxOf(mostBytes, mostBytesOfASample) else mostBytes
-
     private fun tooMany(area: Region) =
         "column ${area.columnStart} of row ${area.rowStart} has more translucent fragments than fit into memory"
 
     private fun remedy() =
-        "they may take ${maxOf(mostBytes, mostBytesOfASample)} bytes; allow more memory (-Xmx), " +
+        "they may take $mostBytesOfASample bytes; allow more memory (-Xmx), " +
             "or make the frame opaque with asOpaque()"
 
     /** Draws all primitives within [area]. Returns false if there is not enough memory. */

@@ -1,6 +1,7 @@
 package dev.lazyz.pipeline
 
 import dev.lazyz.DepthTest
+import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RowSink
@@ -26,7 +27,9 @@ internal class SampleBuffer(raster: Raster, val region: Region) {
 
     init {
         require(raster.region.contains(region)) { "$region must be within $raster" }
-        require(region.size <= MAX_SAMPLES) { "an image holds at most $MAX_SAMPLES samples: ${region.size}" }
+        require(region.size <= Image.MAX_SAMPLES) {
+            "an image holds at most ${Image.MAX_SAMPLES} samples: ${region.size}"
+        }
         argb = IntArray(region.size.toInt())
         keys = LongArray(region.size.toInt())
         argb.fill(raster.background.toArgb())
@@ -54,8 +57,5 @@ internal class SampleBuffer(raster: Raster, val region: Region) {
 
     companion object {
         const val BYTES_PER_SAMPLE: Long = 12
-
-        /** As many as one array holds. */
-        const val MAX_SAMPLES: Long = Int.MAX_VALUE - 8L
     }
 }

@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.FrameParts
+import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.Workers
@@ -74,7 +75,7 @@ internal class StreamedRendering(
 
 /** Returns bands of rows of [region], from top to bottom, that each take at most [mostBytes] or have one row. */
 internal fun bandsOf(region: Region, mostBytes: Long): List<Region> {
-    val samples = minOf(mostBytes / SampleBuffer.BYTES_PER_SAMPLE, SampleBuffer.MAX_SAMPLES)
+    val samples = minOf(mostBytes / SampleBuffer.BYTES_PER_SAMPLE, Image.MAX_SAMPLES)
     val rows = (samples / region.width).coerceIn(1, region.height.toLong())
     return (region.rowStart until region.rowEnd step rows.toInt()).map { top ->
         val bottom = minOf(top + rows, region.rowEnd.toLong()).toInt()

@@ -2,6 +2,7 @@ package dev.lazyz.planning
 
 import dev.lazyz.Capability
 import dev.lazyz.Frame
+import dev.lazyz.Image
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.StreamingRenderer
@@ -115,7 +116,7 @@ public class RenderPlanner @JvmOverloads constructor(
 
         // Many passes over the model would take very long
         val leastRows = (frame.height - 1L) / MOST_PASSES + 1
-        val mostRows = minOf(frame.height.toLong(), MOST_SAMPLES / frame.width)
+        val mostRows = minOf(frame.height.toLong(), Image.MAX_SAMPLES / frame.width)
         val rows = (free / rowBytes).coerceIn(minOf(leastRows, mostRows), mostRows)
         val passes = ((frame.height - 1) / rows + 1).toInt()
 
@@ -189,7 +190,6 @@ public class RenderPlanner @JvmOverloads constructor(
 
         /** Bytes of a sample of a band: key and colour. */
         const val SAMPLE_BYTES = 12L
-        const val MOST_SAMPLES = Int.MAX_VALUE - 8L
 
         /** A plan with more passes over the model than this would take very long, and is not made. */
         const val MOST_PASSES = 64

@@ -44,7 +44,7 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
     /** The option that was given of those that have no effect if a model is read part by part, or null. */
     val wholeOption: String? get() = decoded?.let { "--max-decoded" }
 
-    /** Returns the limits; [spoolBytes] is that of temporary files, or null. */
+    /** Returns the limits, with [spoolBytes] as most bytes of temporary files. */
     fun limits(spoolBytes: Long?) = LoadLimits(
         decodedBytes = decoded,
         triangles = triangles ?: Long.MAX_VALUE,

@@ -25,15 +25,19 @@ private const val HIGHER = 64
 private const val TRIANGLES = 15
 
 private fun tallMesh(height: Int, random: Random): FrameCase {
+    // One of three is as large as a tile
+    return scattered(Raster(WIDTH, height), random) { if (random.nextInt(3) == 0) WIDTH else 2 }
+}
+
+/** A mesh of a few triangles anywhere in [raster], each of a [size]. */
+private fun scattered(raster: Raster, random: Random, size: () -> Int): FrameCase {
     val corners = List(TRIANGLES) {
-        // One of three is as large as a tile
-        val size = if (random.nextInt(3) == 0) WIDTH else 2
-        val x = random.nextInt(WIDTH - size + 1)
-        val y = random.nextInt(height - size + 1)
-        val z = random.nextInt(DEPTHS) / DEPTHS.toFloat()
-        triangle(x, y, size, z)
+        val side = size()
+        val x = random.nextInt(raster.width - side + 1)
+        val y = random.nextInt(raster.height - side + 1)
+        triangle(x, y, side, random.nextInt(DEPTHS) / DEPTHS.toFloat())
     }
-    return screenMesh(Raster(WIDTH, height), corners)
+    return screenMesh(raster, corners)
 }
 
 /**
@@ -52,13 +56,7 @@ internal fun longRasters(salt: Long): List<FrameCase> {
             val contour = doubleArrayOf(x, y, z, x + SHORT, y, z, x, y + SHORT, z)
             PolygonPiece(listOf(contour), FillRule.NON_ZERO)
         }
-        val corners = List(TRIANGLES) {
-            val size = 1 + random.nextInt(SHORT)
-            val x = random.nextInt(raster.width - size + 1)
-            val y = random.nextInt(raster.height - size + 1)
-            triangle(x, y, size, random.nextInt(DEPTHS) / DEPTHS.toFloat())
-        }
-        listOf(screenCase(raster, pieces), screenMesh(raster, corners))
+        listOf(screenCase(raster, pieces), scattered(raster, random) { 1 + random.nextInt(SHORT) })
     }
 }
 

@@ -1,5 +1,6 @@
 package dev.lazyz.strategies.hierarchical
 
+import dev.lazyz.Image
 import dev.lazyz.Region
 
 /**
@@ -46,7 +47,9 @@ internal class DepthPyramid(val region: Region, background: Long) {
     val bytes: Long get() = Long.SIZE_BYTES * (keys.size + levels.sumOf { it.size.toLong() }) + holders.size
 
     init {
-        require(region.size <= MAX_SAMPLES) { "the depth pyramid holds at most $MAX_SAMPLES samples: $region" }
+        require(region.size <= Image.MAX_SAMPLES) {
+            "the depth pyramid holds at most ${Image.MAX_SAMPLES} samples: $region"
+        }
         keys = LongArray(region.size.toInt())
         keys.fill(background)
 
@@ -165,8 +168,6 @@ internal class DepthPyramid(val region: Region, background: Long) {
     companion object {
         /** Samples along a side of a block; the number of samples of a block fits into a byte. */
         const val BLOCK: Int = 8
-
-        private const val MAX_SAMPLES = Int.MAX_VALUE - 8L
 
         /** The key that a cell holds or, if it is outdated, held before. */
         private fun upperBound(cell: Long): Long = maxOf(cell, cell.inv())

@@ -4,6 +4,7 @@ import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
+import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.RowSink
@@ -39,7 +40,9 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
     private var isEager = false
 
     init {
-        require(region.size <= MAX_SAMPLES) { "an image holds at most $MAX_SAMPLES samples: ${region.size}" }
+        require(region.size <= Image.MAX_SAMPLES) {
+            "an image holds at most ${Image.MAX_SAMPLES} samples: ${region.size}"
+        }
         val size = region.size.toInt()
         argb = IntArray(size)
         uppers = IntArray(size)
@@ -174,7 +177,6 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
 
     private companion object {
         const val BYTES_PER_SAMPLE = 12L
-        const val MAX_SAMPLES = Int.MAX_VALUE - 8L
 
         /** The sign bit of a key's lower half. */
         const val SUSPENDED = 1 shl 31

@@ -3,6 +3,7 @@ package dev.lazyz.strategies.painter
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
+import dev.lazyz.Image
 import dev.lazyz.RowSink
 import dev.lazyz.endIfInterrupted
 
@@ -19,7 +20,9 @@ internal sealed class Canvas(protected val frame: Frame, protected val counters:
     protected val indices: IntArray
 
     init {
-        require(region.size <= MAX_SAMPLES) { "the painter holds at most $MAX_SAMPLES samples: ${region.size}" }
+        require(region.size <= Image.MAX_SAMPLES) {
+            "the painter holds at most ${Image.MAX_SAMPLES} samples: ${region.size}"
+        }
         indices = IntArray(region.size.toInt())
         indices.fill(DepthTest.BACKGROUND)
     }
@@ -55,8 +58,4 @@ internal sealed class Canvas(protected val frame: Frame, protected val counters:
 
     /** Returns the array index of the sample at column [x] and row [y] of the raster. */
     protected fun at(x: Int, y: Int): Int = (y - region.rowStart) * width + (x - region.columnStart)
-
-    private companion object {
-        const val MAX_SAMPLES = Int.MAX_VALUE - 8L
-    }
 }

@@ -103,9 +103,4 @@ internal class BinFiller(
         triangles.release()
         fragments.release()
     }
-
-    companion object {
-        /** Most tiles for which bins are made at a time, unless a band has more. */
-        const val MOST_TILES: Int = 1 shl 12
-    }
 }

@@ -134,10 +134,10 @@ internal class TriangleBins(
         /** Fewest triangles for which another thread is worthwhile. */
         private const val LEAST_CHUNK = 4096
 
-        /**
-         * Number of bands for which bins are made at a time; at least one, even if it has more than
-         * [BinFiller.MOST_TILES] tiles.
-         */
-        fun bandsAtOnce(grid: TileGrid): Int = maxOf(1, minOf(BinFiller.MOST_TILES / grid.columns, grid.bands))
+        /** Most tiles for which bins are made at a time, unless a band has more. */
+        private const val MOST_TILES = 1 shl 12
+
+        /** Number of bands for which bins are made at a time; at least one. */
+        fun bandsAtOnce(grid: TileGrid): Int = maxOf(1, minOf(MOST_TILES / grid.columns, grid.bands))
     }
 }
