@@ -7,7 +7,8 @@ package dev.lazyz
  *
  * @property primitives submitted primitives, including those that cover no sample
  * @property fragments covered samples of the region, counted once for each primitive that covers them. Primitives that
- *   are rejected as hidden before their samples are determined are not counted
+ *   are rejected as hidden before their samples are determined are not counted, nor are those of a pass that only
+ *   looks for hidden primitives
  * @property depthEvaluations depth computations, by a step or directly
  * @property depthPasses fragments that passed the depth test when they were compared. A renderer that first
  *   collects all fragments counts one for each sample

@@ -11,7 +11,8 @@ import java.util.concurrent.Executor
  *
  * @property coherence how deferred shading steps attributes between samples
  * @property memoryBudget maximum working memory in bytes, in addition to the image; null for no limit
- * @property threads maximum number of threads, at least 1
+ * @property threads number of threads that share the work, at least 1; 1 is the calling thread alone. With more, the
+ *   next stage of the work may begin while the last one ends, so that for moments up to twice as many are busy
  * @property tileSize width and height of tiles in samples, a power of two in 8..512; for renderers that have tiles
  * @property selector chooses what each sample shows, for renderers with [Capability.SELECTION]. With null, a sample
  *   shows its visible fragment, or all fragments blended if the frame has translucent primitives

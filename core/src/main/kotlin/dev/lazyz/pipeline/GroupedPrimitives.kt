@@ -43,11 +43,14 @@ internal class GroupedPrimitives(
     private fun dropHidden() {
         val isVisible = BooleanArray(opaque.size)
         val frame = Frame(raster, opaque.map { it.primitive }, region).unshaded()
-        counters.add(
-            render(frame) { _, _, _, primitive ->
-                for (index in primitive) if (index in isVisible.indices) isVisible[index] = true
-            },
-        )
+        val work = render(frame) { _, _, _, primitive ->
+            for (index in primitive) if (index in isVisible.indices) isVisible[index] = true
+        }.toBuilder()
+
+        // Only the last pass draws them; a fragment counts once (contract rule 8.1)
+        work.fragments = 0
+        work.depthPasses = 0
+        counters.add(work.build())
         opaque = opaque.filterIndexedTo(ArrayList()) { number, _ -> isVisible[number] }
         full = maxOf(GROUP, 2 * opaque.size)
     }

@@ -1,8 +1,11 @@
 package dev.lazyz.pipeline
 
+import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Spans
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.tiled.Tiled
@@ -36,4 +39,34 @@ class GroupedPrimitivesTest {
         val blended = Tiled().render(Frame(frame.raster, mixed, frame.region))
         assertEquals(blended.pixelHash(), streamed(Tiled(), frame, mixed).pixelHash())
     }
+
+    @Test
+    fun visibleFragmentsAreCountedOnce() {
+        // All are visible, and are kept by each of several passes
+        val raster = Raster(256, 256)
+        val primitives = List(65_536) { index ->
+            val (x, y) = index % 256 to index / 256
+            OneSample(x, y)
+        }
+        for (renderer in listOf(Tiled(), HierarchicalZBuffer())) {
+            val counters = streamed(renderer, Frame(raster, primitives), primitives).counters
+            assertEquals(65_536, counters.fragments, "$renderer")
+            assertEquals(65_536, counters.depthPasses, "$renderer")
+        }
+    }
+}
+
+private class OneSample(private val x: Int, private val y: Int) : Primitive {
+    override val rowStart: Int get() = y
+    override val rowEnd: Int get() = y + 1
+    override val columnStart: Int get() = x
+    override val columnEnd: Int get() = x + 1
+
+    override fun spans(y: Int, spans: Spans) {
+        if (y == this.y) spans.add(x, x + 1)
+    }
+
+    override fun depth(x: Int, y: Int): Int = 0
+
+    override fun shade(fragment: Fragment) = fragment.setColor(1f, 1f, 1f)
 }

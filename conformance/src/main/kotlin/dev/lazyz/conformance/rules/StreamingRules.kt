@@ -65,7 +65,8 @@ public sealed interface StreamingRules : RulesForOne {
      */
     @Rule(
         intent = "The counter of primitives is the number of those that were added, and an index counts all of them.",
-        look = "Count in add, not in finish: what is left then are the primitives that were kept.",
+        look = "Count in add, not in finish: what is left then are the primitives that were kept. If these are drawn " +
+            "again, their fragments still count once.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_10_primitivesOneByOneAreCounted() {
@@ -78,6 +79,18 @@ public sealed interface StreamingRules : RulesForOne {
                 if (primitive[0] != visible) fail(renderer, "row $y shows primitive ${primitive[0]}, not $visible")
             }.primitives
             if (counted != MANY.toLong()) fail(renderer, "$MANY primitives were added, but $counted are counted")
+        }
+
+        // One sample each, so all of them are visible
+        val raster = Raster(MANY_COLUMNS, MANY / MANY_COLUMNS)
+        val drawing = renderer.begin(raster)
+        repeat(MANY) {
+            val (column, row) = it % MANY_COLUMNS to it / MANY_COLUMNS
+            drawing.add(Stripe(column..column, row..row, it))
+        }
+        val counters = drawing.finish { _, _, _, _ -> }
+        if (counters.fragments != MANY.toLong() || counters.depthPasses != MANY.toLong()) {
+            fail(renderer, "$MANY primitives with one sample each were added, but the counters are $counters")
         }
     }
 
@@ -134,6 +147,7 @@ public sealed interface StreamingRules : RulesForOne {
     private companion object {
         /** More than renderers collect before they draw. */
         const val MANY = 40_000
+        const val MANY_COLUMNS = 250
 
         /** Exclusive limit of the number of calls that a primitive answers before it throws. */
         const val MOST_CALLS = 6

@@ -139,6 +139,34 @@ internal object BrokenReuse {
         }
     }
 
+    /** Draws the visible primitives of earlier groups again with each group, and counts their fragments each time. */
+    fun countsWhatIsKeptAgain() = BrokenStreams.stream("stream-counts-what-is-kept-again") { begin ->
+        val drawing = begin()
+        object : Drawing by drawing {
+            override fun finish(sink: RowSink): Counters {
+                var visible = 0L
+                val counters = drawing.finish { y, argb, depth, primitive ->
+                    visible += primitive.count { it >= 0 }
+                    sink.row(y, argb, depth, primitive)
+                }
+                return counters.toBuilder().apply { fragments += primitives / GROUP * visible }.build()
+            }
+        }
+    }
+
+    /** A tile of 8 x 8 samples has a number of 14 bits where small triangles are sorted, and larger numbers lose some. */
+    fun tilesOf14Bits() = BrokenRenderer("tiles-of-14-bits") { frame, sink ->
+        val left = frame.primitives.map { primitive ->
+            val isLost = primitive.columnEnd - primitive.columnStart <= SMALL && primitive.columnStart / 8 >= 1 shl 14
+            object : Recovered(primitive) {
+                override fun spans(y: Int, spans: Spans) {
+                    if (!isLost) whole.spans(y, spans)
+                }
+            }
+        }
+        ZBuffer().render(Frame(frame.raster, left, frame.region), sink)
+    }
+
     /** A place within a tile has 16 bits, and those of tiles of 512 x 512 samples need more. */
     fun placesOf16Bits(): BrokenRenderer = placesOf16Bits(RenderOptions())
 
@@ -187,6 +215,7 @@ internal object BrokenReuse {
     private const val WHITE = -1
     private const val BAND = 64
     private const val FEW_SPANS = 500
+    private const val SMALL = 4
     private const val GROUP = 1 shl 14
     private const val MANY_TRIANGLES = 80
     private const val PART = 2

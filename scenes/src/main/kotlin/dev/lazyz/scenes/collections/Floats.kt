@@ -10,7 +10,7 @@ internal class Floats(capacity: Int = INITIAL_CAPACITY) {
     operator fun get(index: Int): Float = values[index]
 
     fun add(value: Float) {
-        if (size == values.size) values = values.copyOf(size + maxOf(size / 2, INITIAL_CAPACITY))
+        if (size == values.size) values = values.copyOf(grownCapacity(size, 1))
         values[size++] = value
     }
 

@@ -19,12 +19,12 @@ internal class Ints(capacity: Int = INITIAL_CAPACITY) {
     }
 
     fun add(value: Int) {
-        if (size == values.size) values = values.copyOf(size + maxOf(size / 2, INITIAL_CAPACITY))
+        if (size == values.size) values = values.copyOf(grownCapacity(size, 1))
         values[size++] = value
     }
 
     fun add(a: Int, b: Int, c: Int) {
-        if (size > values.size - 3) values = values.copyOf(size + maxOf(size / 2, INITIAL_CAPACITY))
+        if (size > values.size - 3) values = values.copyOf(grownCapacity(size, 3))
         values[size] = a
         values[size + 1] = b
         values[size + 2] = c

@@ -53,6 +53,11 @@ internal object SizeGallery {
             RuleNames.manyTiles,
         ),
         Mutant(
+            BrokenReuse::tilesOf14Bits,
+            "small triangles are sorted by 14 bits of the number of their tile",
+            RuleNames.manyTiles,
+        ),
+        Mutant(
             BrokenSizes::coversItsTile,
             "a wide primitive covers its last tile, although it ends before the last column",
             RuleNames.covered,

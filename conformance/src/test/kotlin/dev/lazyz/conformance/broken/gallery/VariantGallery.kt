@@ -34,6 +34,11 @@ internal object VariantGallery {
         ),
         Mutant(BrokenStreams::namesTheFirst, "names another primitive than it refuses", RuleNames.oneByOne),
         Mutant(BrokenReuse::countsALastGroup, "counts the primitives of the last group", RuleNames.counted),
+        Mutant(
+            BrokenReuse::countsWhatIsKeptAgain,
+            "draws the visible primitives again with each group, and counts their fragments each time",
+            RuleNames.counted,
+        ),
         Mutant(BrokenReuse::numbersALastGroup, "numbers the primitives of the last group from 0", RuleNames.counted),
         Mutant(BrokenReuse::numbersEachPart, "numbers primitives of streamed parts from 0", RuleNames.streamed),
         Mutant(BrokenReuse::streamsAsOpaque, "draws streamed parts as if they were opaque", RuleNames.streamed),
