@@ -33,7 +33,8 @@ internal class TraceCommand(private val streams: Streams) :
         "Makes a film of the order in which a strategy shades a picture.\n\nEach step shows some more shading calls: " +
             "pixels get their colours, and calls whose colour does not become part of the picture are pink. Two " +
             "strategies are shown side by side, with equally many calls at each step. Prints the numbers of calls. " +
-            "Only with one sample per pixel (--aa 1)."
+            "A film has one sample per pixel and the order of one thread, so --threads, --aa above 1 and filters other " +
+            "than box are refused."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli trace teapot --strategy lazy -o order.gif" to "the order of one strategy",
