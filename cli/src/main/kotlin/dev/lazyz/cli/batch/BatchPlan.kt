@@ -165,7 +165,7 @@ internal class BatchPlan(private val request: BatchRequest) {
                     val user = listOfNotNull(input.input, view.view?.name?.lowercase()).joinToString(", ")
                     val other = users.put(file.toAbsolutePath().normalize(), user)
                     if (other != null) {
-                        // A misspelt flag is an input, too: report that first
+                        // A misspelt option is an input, too: report that first
                         for (word in request.inputs) Input(word, request.subject(word).format).requireNamed()
                         throw Mistake(clash(file, other, user))
                     }

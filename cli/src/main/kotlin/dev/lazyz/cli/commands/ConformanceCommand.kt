@@ -105,7 +105,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     /** The report that `--verify` names, or null. */
     private val recorded: RecordedReport? by lazy {
         if (verify != null && (seed != null || isExploring || tries != null || rules.isNotEmpty() || waivers != null)) {
-            throw Mistake("--verify takes seed, tries, rules and waivers from the report: omit those flags")
+            throw Mistake("--verify takes seed, tries, rules and waivers from the report: omit those options")
         }
         try {
             verify?.let { RecordedReport.read(it) }

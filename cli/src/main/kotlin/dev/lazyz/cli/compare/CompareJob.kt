@@ -18,7 +18,7 @@ import dev.lazyz.world.View
  * Renders frames with all strategies of [request], one after the other, and compares each picture with the first.
  *
  * @param kept bytes for each pixel that the caller keeps besides
- * @throws Mistake if a strategy is not known, or a flag is not supported by any strategy
+ * @throws Mistake if a strategy is not known, or an option is not supported by any strategy
  */
 internal class CompareJob(
     private val request: CompareRequest,
@@ -50,7 +50,7 @@ internal class CompareJob(
     private fun strategies(): List<Renderer> {
         val chosen = request.strategies.map { Strategies.find(it) }.ifEmpty { Strategies.all() }
 
-        // If no strategy supports a flag, the comparison would not measure what the user wanted
+        // If no strategy supports an option, the comparison would not measure what the user wanted
         val supported = chosen.flatMap { it.capabilities }.toSet()
         val missing = Strategies.missing(request.choices.needs, supported)
         if (missing != null) throw Mistake("no compared strategy supports $missing\nSee 'zcli strategies --long'.")

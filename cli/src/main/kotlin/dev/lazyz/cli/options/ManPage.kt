@@ -91,7 +91,7 @@ internal class ManPage(version: String, program: BaseCliktCommand<*>) {
             folder of archives that make the start faster; if empty, there are none
             .TP
             .B ZCLI_JAVA_OPTIONS
-            flags for Java, separated by spaces
+            options for Java, separated by spaces
 
         """.trimIndent()
     }

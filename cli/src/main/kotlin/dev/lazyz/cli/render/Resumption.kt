@@ -20,7 +20,7 @@ internal class Resumption(private val args: List<String>) {
     /** Returns what the picture of [loaded], which was read from [source], depends on. */
     fun facts(source: FrameSource, loaded: LoadedScene): Map<String, String> = mapOf(
         "zcli" to Version.text,
-        "options" to CommandLine.of(CommandLine.without(args, VALUES).filter { it !in FLAGS }),
+        "options" to CommandLine.of(CommandLine.without(args, VALUES).filter { it !in SWITCHES }),
         "files" to (source.files + loaded.files).joinToString(" ") { hash(it) },
     )
 
@@ -46,6 +46,6 @@ internal class Resumption(private val args: List<String>) {
             "-o", "--output", "--threads", "--tile-size", "--memory-budget", "--coherence", "--strategy", "--memory",
             "--spool", "--max-spool",
         )
-        private val FLAGS = setOf(OPTION, "--stats", "--stats=json", "--stats=table", "--explain", "--print-camera")
+        private val SWITCHES = setOf(OPTION, "--stats", "--stats=json", "--stats=table", "--explain", "--print-camera")
     }
 }

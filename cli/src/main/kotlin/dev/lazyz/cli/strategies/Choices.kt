@@ -26,7 +26,7 @@ internal class Choices(
     /** The selector of the options, or null: each strategy shows the nearest of opaque surfaces. */
     private val neededSelector = selector.takeIf { isTranslucent || it != Selector.nearest() }
 
-    /** The flags that the user gave, each with the capability that a strategy must have to support it. */
+    /** The options that the user gave, each with the capability that a strategy must have to support it. */
     val needs: Map<String, Capability> = listOfNotNull(
         memoryBudget?.let { "--memory-budget" to Capability.MEMORY_BUDGET },
         coherence?.let { "--coherence" to Capability.COHERENCE },

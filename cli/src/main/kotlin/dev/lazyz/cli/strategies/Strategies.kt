@@ -45,9 +45,9 @@ internal object Strategies {
         needs.filterValues { it !in capabilities }.ifEmpty { null }?.let { withSupporters(it) }
 
     /**
-     * Returns the flags of [needs], each with the strategies that support it: `--select (lists does), --threads (no
+     * Returns the options of [needs], each with the strategies that support it: `--select (lists does), --threads (no
      * strategy does)`.
      */
     fun withSupporters(needs: Map<String, Capability>): String =
-        needs.entries.joinToString { (flag, capability) -> "$flag (${supporters(capability)})" }
+        needs.entries.joinToString { (option, capability) -> "$option (${supporters(capability)})" }
 }

@@ -9,9 +9,9 @@ import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.StrategyEstimates
 
 /**
- * Chooses the strategy of a rendering: the one that the user named, or the first that supports what the flags and the
+ * Chooses the strategy of a rendering: the one that the user named, or the first that supports what the options and the
  * frame need, or, with [AUTO], another one of these if it is expected to be much faster. Throws [Mistake] if there is
- * none; the constructor already throws if no strategy supports the flags.
+ * none; the constructor already throws if no strategy supports the options.
  *
  * @param id the id that the user named, [AUTO], or null
  */
@@ -19,7 +19,7 @@ internal class StrategyChoice(private val id: String?, private val choices: Choi
     private val isAutomatic = id == AUTO
     private val named: Renderer? = id?.takeIf { it != AUTO }?.let { Strategies.find(it) }
 
-    /** The strategies that support all flags, in the order of the list. */
+    /** The strategies that support all options, in the order of the list. */
     private val candidates: List<Renderer> = if (named != null) listOf(named) else capable(choices.needs.values)
 
     init {
@@ -30,10 +30,10 @@ internal class StrategyChoice(private val id: String?, private val choices: Choi
         if (candidates.isEmpty()) throw Mistake(unsupported() + SEE)
     }
 
-    /** Whether a strategy that supports all flags renders models that are read part by part. */
+    /** Whether a strategy that supports all options renders models that are read part by part. */
     val canStream: Boolean get() = candidates.any { it is StreamingRenderer }
 
-    /** The strategy for most frames: the first that supports all flags. */
+    /** The strategy for most frames: the first that supports all options. */
     val usual: Renderer get() = candidates.first()
 
     /**
@@ -69,7 +69,7 @@ internal class StrategyChoice(private val id: String?, private val choices: Choi
         if (able.isEmpty()) {
             val all = Strategies.all().filter { it is StreamingRenderer }.joinToString { it.id }
             val reason =
-                if (named != null) "strategy '${named.id}' needs" else "the strategies that support ${flags()} need"
+                if (named != null) "strategy '${named.id}' needs" else "the strategies that support ${options()} need"
             throw Mistake("$reason the whole model in memory; with --stream use one of $all, or omit --stream")
         }
         if (!frame.hasTranslucency) return choices.applyTo(able.first())
@@ -105,20 +105,20 @@ internal class StrategyChoice(private val id: String?, private val choices: Choi
         Renderers.estimates(frame, choices.options(), choices.needs.values.toSet(), memory)
 
     private fun unsupported(): String {
-        val flag = choices.needs.keys.singleOrNull() ?: return "no single strategy supports all of " + flags()
-        return "no strategy supports $flag"
+        val option = choices.needs.keys.singleOrNull() ?: return "no single strategy supports all of " + options()
+        return "no strategy supports $option"
     }
 
-    private fun flags(): String = Strategies.withSupporters(choices.needs)
+    private fun options(): String = Strategies.withSupporters(choices.needs)
 
     private fun cannotBlend(): String {
         val reason = when {
             named != null -> "strategy '${named.id}' does not blend"
-            else -> "no strategy that supports ${flags()} blends"
+            else -> "no strategy that supports ${options()} blends"
         }
-        val flag = if (named != null) "--strategy" else choices.needs.keys.joinToString()
+        val option = if (named != null) "--strategy" else choices.needs.keys.joinToString()
         return "the scene is translucent, and $reason (${Strategies.supporters(Capability.TRANSPARENCY)})\n" +
-            "Omit $flag, or render the scene as opaque with --opaque."
+            "Omit $option, or render the scene as opaque with --opaque."
     }
 
     private fun capable(needs: Collection<Capability>): List<Renderer> =

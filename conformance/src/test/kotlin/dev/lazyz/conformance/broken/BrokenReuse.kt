@@ -154,7 +154,7 @@ internal object BrokenReuse {
         }
     }
 
-    /** A tile of 8 x 8 samples has a number of 14 bits where small triangles are sorted, and larger numbers lose some. */
+    /** Where small triangles are sorted, tiles of 8 x 8 samples have numbers of 14 bits. */
     fun tilesOf14Bits() = BrokenRenderer("tiles-of-14-bits") { frame, sink ->
         val left = frame.primitives.map { primitive ->
             val isLost = primitive.columnEnd - primitive.columnStart <= SMALL && primitive.columnStart / 8 >= 1 shl 14

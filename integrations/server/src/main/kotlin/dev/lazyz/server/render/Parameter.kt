@@ -7,7 +7,7 @@ import dev.lazyz.world.Fit
 import dev.lazyz.world.View
 
 /**
- * The parameters of a request. Each means the same as the flag of `zcli render` with its name.
+ * The parameters of a request. Each means the same as the option of `zcli render` with its name.
  *
  * @property form the form of the value
  * @property help what it does
