@@ -4,8 +4,8 @@ package dev.lazyz.cli
  * Loads the module of Java's Vector API if the user requests it with `-Dzcli.kernel=vector`.
  *
  * Java loads the module only if an option requests it at the start, and then prints a warning. This object loads it
- * later and without a warning, by means of an export that the manifest of zcli.jar declares. It is not loaded by default,
- * because the time that it saves in one picture is seldom more than the time to load and compile it: see
+ * later and without a warning, by means of an export that the manifest of zcli.jar declares. It is not loaded by
+ * default, because the time that it saves in one picture is seldom more than the time to load and compile it: see
  * docs/performance.md, "The Vector API in a process of one picture".
  */
 internal object VectorModule {

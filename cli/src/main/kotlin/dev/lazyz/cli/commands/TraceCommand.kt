@@ -32,8 +32,8 @@ internal class TraceCommand(private val streams: Streams) :
     override fun help(context: Context): String =
         "Makes a film of the order in which a strategy shades a picture.\n\nEach step shows some more shading calls: " +
             "pixels get their colours, and calls whose colour does not become part of the picture are pink. Two " +
-            "strategies are shown side by side, with equally many calls at each step. Prints the numbers of calls. " +
-            "A film has one sample per pixel and the order of one thread, so --threads, --aa above 1 and filters other " +
+            "strategies are shown side by side, with equally many calls at each step. Prints the numbers of calls. A " +
+            "film has one sample per pixel and the order of one thread, so --threads, --aa above 1 and filters other " +
             "than box are refused."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
