@@ -22,6 +22,7 @@ import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
 import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
+import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.joml.Vector3dc
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -128,6 +129,28 @@ class StreamedMeshTest {
                     sampling.frame(expected, Raster(31, 17)).render(renderer),
                     sampling.frame(actual, Raster(31, 17)).render(renderer), "$renderer, $up, filtered",
                 )
+            }
+        }
+    }
+
+    /** Floats relative to the origin of a scene that is far away are pixels apart. */
+    @Test
+    fun regionsOfScenesWhoseOriginIsFarAwayGiveTheSamePictures() {
+        val away = Vector3d(8e6, 0.0, 0.0)
+        val far = Mesh(floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 1f, 0f), intArrayOf(0, 1, 2), origin = away)
+        val target = Vector3d(0.1, 0.2, 0.0)
+        val camera = Camera.orthographic(Vector3d(0.1, 0.2, 10.0), target, Vector3d(0.0, 1.0, 0.0), 2.0, 1.0, 30.0)
+        for (seed in 1L..4L) {
+            val whole = mesh(seed).transformed(Matrix4d().scale(0.3))
+            val parts = StreamedMesh(Pieces(whole, 1))
+            val expected = Scene(listOf(far, whole), emptyList(), camera).frame(80, 60)
+            val actual = Scene(listOf(far, parts), emptyList(), camera).frame(80, 60)
+            for (column in 0 until 80 step 4) {
+                val region = Region(column, 5, column + 4, 55)
+                val image = Tiled().render(expected.within(region))
+                for (renderer in streaming) {
+                    assertSame(image, renderer.render(actual.within(region)), "$renderer, $seed, $region")
+                }
             }
         }
     }
