@@ -29,7 +29,7 @@ internal class PointAovs(private val sampled: SampledFrame, private val aovs: Li
     private val rows = IntArray(pixels.width)
     private val covered = IntArray(pixels.width)
 
-    private val size = Math.toIntExact(pixels.size)
+    private val size = if (aovs.isEmpty()) 0 else Math.toIntExact(pixels.size)
     private val floats = aovs.filter { !it.isInteger }.associateWith { FloatArray(size * it.channels.size) }
     private val objects = if (Aov.OBJECT in aovs) IntArray(size) else null
     private val indices = if (Aov.PRIMITIVE in aovs) IntArray(size) else null

@@ -30,16 +30,16 @@ internal class ViewSpace(val raster: Raster, private val camera: Camera) {
 
     /** Writes the point ([x], [y], [z]), in the camera's world space, to [out] at index [at] and the next three. */
     fun place(x: Double, y: Double, z: Double, out: DoubleArray, at: Int) {
-        if (isScreen) {
-            out[at] = x
-            out[at + 1] = y
-            out[at + 2] = 1.0
-            out[at + 3] = -z
-            return
-        }
         val dx = x - camera.eye.x()
         val dy = y - camera.eye.y()
         val dz = z - camera.eye.z()
+        if (isScreen) {
+            out[at] = dx
+            out[at + 1] = dy
+            out[at + 2] = 1.0
+            out[at + 3] = -dz
+            return
+        }
         val towardRight = right.x * dx + right.y * dy + right.z * dz
         val towardTop = upward.x * dx + upward.y * dy + upward.z * dz
         val toward = backward.x * dx + backward.y * dy + backward.z * dz

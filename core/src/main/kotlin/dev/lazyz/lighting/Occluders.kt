@@ -1,7 +1,9 @@
 package dev.lazyz.lighting
 
+import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
+import dev.lazyz.drawing.EdgeDrawing
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.strategies.tiled.Tiled
@@ -16,7 +18,8 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * The surfaces of a scene that hide light: opaque and masked ones; not translucent ones, [Points] and [Lines].
+ * The surfaces of a scene that hide light: opaque and masked ones; not translucent ones, [Points], [Lines] and
+ * [EdgeDrawing].
  *
  * @throws IllegalArgumentException if there is an [obstacle]
  */
@@ -42,7 +45,8 @@ internal class Occluders(scene: Scene) {
     }
 
     private fun hidesLight(surface: Surface): Boolean =
-        surface !is Points && surface !is Lines && Scene.materialOf(surface)?.alphaMode != AlphaMode.BLEND
+        surface !is Points && surface !is Lines && surface !is EdgeDrawing &&
+            Scene.materialOf(surface)?.alphaMode != AlphaMode.BLEND
 
     /**
      * Returns a map with [size] texels a side for each of the [directions]. Cost: a small rendering without colours for
@@ -51,11 +55,32 @@ internal class Occluders(scene: Scene) {
     fun maps(directions: List<Vector3d>, size: Int, options: RenderOptions): List<DistanceMap> {
         val maps = directions.map { DistanceMap(it, box.center, origin, radius, size) }
         val alone = RenderOptions(threads = 1)
+        val caller = Thread.currentThread()
         options.workers.forEach(maps.size) { number ->
-            val frame = scene.withViewpoint(maps[number].camera()).frame(Raster(size, size), alone)
-            maps[number].fill(Tiled(alone).render(frame.unshaded()))
+            val image = undisturbed(caller) {
+                val frame = scene.withViewpoint(maps[number].camera()).frame(Raster(size, size), alone)
+                Tiled(alone).render(frame.unshaded())
+            }
+            maps[number].fill(image)
         }
         return maps
+    }
+
+    /** Returns the result of [render]. Only an interrupt of the [caller] ends it; that of another thread stays set. */
+    private inline fun undisturbed(caller: Thread, render: () -> Image): Image {
+        var interrupts = 0
+        try {
+            while (true) {
+                try {
+                    return render()
+                } catch (e: InterruptedException) {
+                    // A custom surface may throw it, too, each time
+                    if (Thread.currentThread() === caller || ++interrupts == MOST_INTERRUPTS) throw e
+                }
+            }
+        } finally {
+            if (interrupts > 0) Thread.currentThread().interrupt()
+        }
     }
 
     companion object {
@@ -76,6 +101,8 @@ internal class Occluders(scene: Scene) {
          * beyond a scene: at most 2.2 times this number, which is below the greatest one, 3.4e38.
          */
         private const val LARGEST_REACH = 1e38
+
+        private const val MOST_INTERRUPTS = 100
 
         /** World units; the numbers of smaller scenes would not fit into single precision. */
         private const val LEAST_RADIUS = 1e-30

@@ -26,6 +26,7 @@ import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
 import dev.lazyz.world.surface.Vertex
+import java.io.IOException
 import kotlin.math.abs
 import kotlin.math.sqrt
 import org.joml.Vector3d
@@ -332,6 +333,12 @@ class AovTest {
         assertTrue("render regions" in refused.message!!) { refused.message }
         val corner = huge.within(Region(Raster.MAX_SIDE - 1, Raster.MAX_SIDE - 1, Raster.MAX_SIDE, Raster.MAX_SIDE))
         assertEquals(-1.0, render(corner, Aov.OBJECT)[Aov.OBJECT].numberAt(0, 0))
+
+        // Without AOVs there is nothing to keep
+        val rows = assertThrows(IOException::class.java) {
+            AovFrame(huge, emptySet()).render(Tiled()) { y, _, _, _ -> throw IOException("row $y") }
+        }
+        assertEquals("row 0", rows.message)
     }
 
     @Test

@@ -255,6 +255,18 @@ class EdgeDrawingTest {
         }
     }
 
+    @Test
+    fun linesOfTheScreenAreWhereTheirMeshIs() {
+        val corners = floatArrayOf(0f, 0f, 0f, 20f, 0f, 0f, 20f, 20f, 0f, 0f, 20f, 0f)
+        val there = FloatArray(12) { corners[it] + if (it % 3 == 2) 0.5f else 50f }
+        val numbers = intArrayOf(0, 1, 2, 0, 2, 3)
+        val expected = render(listOf(Mesh(there, numbers, plain)), EdgeStyle(), Camera.screen())
+        val origin = Vector3d(50.0, 50.0, 0.5)
+        val actual = render(listOf(Mesh(corners, numbers, plain, origin = origin)), EdgeStyle(), Camera.screen())
+        assertTrue(expected.isBlack(60, 49) && !expected.isBlack(60, 60))
+        assertArrayEquals(expected.argb, actual.argb)
+    }
+
     /** Parts of the scene are behind the camera and far outside the raster, others are not finite. */
     @Test
     fun awkwardScenesDoNotThrow() {

@@ -3,6 +3,8 @@ package dev.lazyz.lighting
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
+import dev.lazyz.drawing.EdgeSet
+import dev.lazyz.drawing.EdgeStyle
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
@@ -18,10 +20,15 @@ import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
+import java.util.concurrent.Executor
+import java.util.concurrent.Executors
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.TimeUnit
 import kotlin.math.abs
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -104,6 +111,40 @@ class AmbientOcclusionTest {
         val points = Points(floatArrayOf(0f, 1f, 0f, 0.1f, 1f, 0f), 500.0)
         assertEquals(1f, upward(listOf(floor(1f), glass, points), 0f, 0f, 0f, directions = 64))
         assertEquals(0f, upward(listOf(floor(1f), floor(20f, y = 0.5f)), 0f, 0f, 0f, directions = 64), 0.02f)
+    }
+
+    @Test
+    fun drawnLinesHideNothing() {
+        val surfaces = listOf(floor(1f), wall(0.5f))
+        val drawn = EdgeStyle().withEdges(EdgeSet.ALL).drawnOn(Scene(surfaces)).surfaces
+        assertEquals(3, drawn.size)
+        for (x in listOf(-0.9f, -0.2f, 0.1f, 0.7f)) {
+            val seen = listOf(surfaces, drawn).map { upward(it, x, 0f, 0.1f, directions = 64, size = 64) }
+            assertEquals(seen[0], seen[1])
+        }
+    }
+
+    /** An interrupt of a thread of the caller's executor ends nothing, and stays set. */
+    @Test
+    fun interruptsOfOtherThreadsHaveNoEffect() {
+        val scene = Scene(listOf(floor(1f), wall(0.5f)))
+        val statuses = LinkedBlockingQueue<Boolean>()
+        val threads = Executors.newSingleThreadExecutor()
+        val executor = Executor { task ->
+            threads.execute {
+                Thread.currentThread().interrupt()
+                task.run()
+                statuses.add(Thread.interrupted())
+            }
+        }
+        val options = RenderOptions(threads = 2, executor = executor)
+        val occlusion = AmbientOcclusion.of(scene, 64, 64, options)
+        threads.shutdown()
+        assertTrue(threads.awaitTermination(10, TimeUnit.SECONDS))
+        val expected = AmbientOcclusion.of(scene, 64, 64)
+        assertEquals(expected.at(0.3f, 0f, 0f, 0f, 1f, 0f), occlusion.at(0.3f, 0f, 0f, 0f, 1f, 0f))
+        assertTrue(statuses.isNotEmpty() && statuses.all { it })
+        assertFalse(Thread.currentThread().isInterrupted)
     }
 
     /** Points are relative to the scene's origin, so that they are exact far from the world's. */
