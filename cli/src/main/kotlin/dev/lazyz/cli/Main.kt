@@ -82,7 +82,12 @@ private fun answer(request: CliktError, streams: Streams): Int {
             if (request.statusCode == ExitCode.DONE) streams.print(text + "\n") else streams.error(text)
         }
     }
-    streams.output.flush()
+    try {
+        streams.output.flush()
+    } catch (closed: OutputClosed) {
+        // The result of the command remains, also if nobody reads the text
+        if (request !is ProgramResult) throw closed
+    }
     return when {
         request is PrintHelpMessage || request.statusCode == ExitCode.DONE -> ExitCode.DONE
         request is ProgramResult -> request.statusCode

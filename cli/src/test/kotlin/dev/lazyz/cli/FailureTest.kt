@@ -6,6 +6,7 @@ import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.OutputStream
 import java.nio.file.Path
+import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readText
@@ -93,6 +94,45 @@ class FailureTest {
         assertEquals(2, code)
         assertTrue("x.pfm was not written" in errors, errors)
         assertEquals(listOf<Path>(), folder.listDirectoryEntries())
+    }
+
+    @Test
+    fun whatElseAPictureIsForIsReportedWhenThePipeIsClosed() {
+        val render = listOf("render", "teapot", "-o", "-", "--size", "40x30")
+        val data = listOf("--aov", "depth=${folder.resolve("d.npy")}")
+        val (code, errors) = zcliWriting(Breaking(100, "Broken pipe"), "", *(render + data).toTypedArray())
+        assertEquals(2, code)
+        assertTrue("d.npy may not have been written" in errors, errors)
+
+        val reference = folder.resolve("ref.png").also { zcli("render", "teapot", "-o", it, "--size", "40x30").done() }
+        val compared = render + listOf("--ref", "$reference")
+        val (other, words) = zcliWriting(Breaking(100, "Broken pipe"), "", *compared.toTypedArray())
+        assertEquals(2, other)
+        assertTrue("was not compared with $reference" in words, words)
+    }
+
+    @Test
+    fun allPicturesAreWrittenThoughNobodyReadsTheirNumbers() {
+        val names = listOf("teapot", "city", "star")
+        val output = listOf("--size", "30x20", "--stats=json", "--threads", "1", "-o", "$folder/{stem}.png")
+        val words = (listOf("render") + names + output).toTypedArray()
+        assertEquals(0 to "", zcliWriting(Breaking(10, "Broken pipe"), "", *words))
+        for (name in names) assertTrue(folder.resolve("$name.png").exists(), name)
+        val sheet = listOf("--size", "30x20", "--contact-sheet", "--stats=json", "-o", "$folder/sheet.png")
+        val ofAll = (listOf("render") + names + sheet).toTypedArray()
+        assertEquals(0 to "", zcliWriting(Breaking(10, "Broken pipe"), "", *ofAll))
+        assertTrue(folder.resolve("sheet.png").exists())
+    }
+
+    @Test
+    fun theResultOfAComparisonRemainsWithoutAReader() {
+        val pictures = listOf("white", "red").map { color ->
+            folder.resolve("$color.png").also {
+                zcli("render", folder.wedge(), "-o", it, "--color", color, "--size", 8)
+            }
+        }
+        val pipe = BufferedOutputStream(Breaking(0, "Broken pipe"), 1 shl 20)
+        assertEquals(1 to "", zcliWriting(pipe, "", "diff", "${pictures[0]}", "${pictures[1]}"))
     }
 
     @Test

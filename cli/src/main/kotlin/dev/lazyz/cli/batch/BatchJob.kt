@@ -6,6 +6,7 @@ import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.Progress
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.printable
@@ -27,6 +28,9 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
     private val plan = BatchPlan(request)
     private var failed = 0
     private var isBuggy = false
+
+    /** Whether nobody reads standard output any more. The files are still written. */
+    private var isClosed = false
 
     /** Returns the exit code. */
     fun run(): Int {
@@ -75,10 +79,19 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
 
     private fun report(report: InputReport) = synchronized(streams) {
         if (report.messages.isNotEmpty()) streams.note(report.messages)
-        streams.print(report.output)
+        print(report.output)
         for (file in report.files) streams.remark("wrote $file")
         report.failure?.let { report(report.input, it) }
-        streams.output.flush()
+    }
+
+    private fun print(text: String) {
+        if (isClosed) return
+        try {
+            streams.print(text)
+            streams.output.flush()
+        } catch (_: OutputClosed) {
+            isClosed = true
+        }
     }
 
     private fun report(input: String, failure: Throwable) {
@@ -96,12 +109,18 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
             put("input", input)
             put("message", message)
         }
-        streams.print(Json.of(line) + "\n")
+        print(Json.of(line) + "\n")
     }
 
     private fun sheet(): ContactSheet {
         val subject: Subject = request.subject(request.inputs[0])
         val size = subject.region?.let { ImageSize(it.width, it.height) } ?: checkNotNull(subject.size) { "no size" }
+        if (size.width.toLong() * size.height > MOST_PIXELS) {
+            throw Mistake(
+                "a picture of a contact sheet has at most $MOST_PIXELS pixels, not ${size.width}x${size.height}; " +
+                    "choose a smaller --size",
+            )
+        }
         val labels = plan.inputs.flatMap { input -> input.views.flatMap { it.labels } }
         val columns = request.series.columns ?: ContactSheet.usualColumns(labels.size, plan.perInput, size)
         val color = subject.background?.takeIf { it.gradient == null }?.color?.toArgb() ?: WHITE
@@ -118,6 +137,9 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
         /** This part of Java's memory is for what is not counted. */
         const val FREE_PART = 8
         const val BYTES_PER_PIXEL = 4L
+
+        /** They are in an array. */
+        const val MOST_PIXELS = Int.MAX_VALUE - 8L
         const val WHITE = -1
     }
 }

@@ -9,6 +9,7 @@ import dev.lazyz.cli.output.Placeholder
 import dev.lazyz.cli.output.printable
 import dev.lazyz.cli.render.Outputs
 import dev.lazyz.cli.render.PictureFile
+import dev.lazyz.scenes.writers.animation.AnimationFormat
 import dev.lazyz.world.View
 import java.nio.file.Files
 import java.nio.file.Path
@@ -80,6 +81,9 @@ internal class BatchPlan(private val request: BatchRequest) {
 
     /** Returns the bytes in which the frames of an animation, of so many pixels each, are kept. */
     fun collected(pixels: Long): Long = if (isGif) frames * pixels * GIF_BYTES_PER_PIXEL + GIF_BYTES else 0
+
+    /** Returns why an animation cannot have frames of [width] x [height] pixels, or null if it can. */
+    fun obstacle(width: Int, height: Int): String? = if (isGif) AnimationFormat.GIF.obstacle(width, height) else null
 
     private fun usualOutput(): String = when {
         series.isSheet -> "contact-sheet.png"

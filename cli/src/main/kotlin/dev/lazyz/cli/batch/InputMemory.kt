@@ -75,6 +75,9 @@ internal class InputMemory(
             throw TooLittleMemory()
         }
         MemoryNeed.check(strategy, shot.frame.region, available = total, aa = shot.factor)
+        plan.obstacle(shot.pixels.width, shot.pixels.height)?.let {
+            throw Mistake("$it; choose a smaller --size, or -o with .png")
+        }
         val collected = plan.collected(shot.pixels.size)
         if (collected > total) {
             val need = Bytes.readable(collected)

@@ -10,6 +10,7 @@ import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.cli.diff.DifferenceText
+import dev.lazyz.cli.diff.writeMarked
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.fileOf
@@ -21,7 +22,6 @@ import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.scenes.pictures.PictureDifference
-import dev.lazyz.scenes.writers.writePng
 
 /** `zcli diff`: compares the pixels of two image files. */
 internal class DiffCommand(private val streams: Streams) : Command("diff") {
@@ -69,7 +69,7 @@ internal class DiffCommand(private val streams: Streams) : Command("diff") {
 
         val difference = PictureDifference.between(Picture.read(expected), Picture.read(actual), threshold)
         diff?.let {
-            difference.toImage().writePng(it)
+            difference.writeMarked(it)
             streams.remark("wrote $it")
         }
         val text = DifferenceText("$expected", "$actual", difference)

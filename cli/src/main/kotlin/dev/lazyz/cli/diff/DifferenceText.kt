@@ -1,14 +1,31 @@
 package dev.lazyz.cli.diff
 
 import dev.lazyz.Region
+import dev.lazyz.cli.output.Mistake
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.scenes.pictures.PictureDifference
 import dev.lazyz.scenes.pictures.PixelDifference
+import dev.lazyz.scenes.writers.writePng
+import java.nio.file.Path
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonObject
+
+/**
+ * Writes the picture of where the pictures differ to [path], a PNG file.
+ *
+ * @throws Mistake if it has too many pixels
+ */
+internal fun PictureDifference.writeMarked(path: Path) {
+    val image = try {
+        toImage()
+    } catch (e: IllegalArgumentException) {
+        throw Mistake("--diff $path: ${e.message}; omit --diff\n$summary")
+    }
+    image.writePng(path)
+}
 
 /**
  * A difference of two pictures as text and as JSON. Scripts depend on the names in [toJson].

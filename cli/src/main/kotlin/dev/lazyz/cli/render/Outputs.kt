@@ -82,8 +82,18 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
             }
         }
     } catch (closed: OutputClosed) {
-        val file = request.depthOutput ?: throw closed
-        throw Mistake("standard output was closed before the end, and $file was not written")
+        val missing = missing() ?: throw closed
+        throw Mistake("standard output was closed before the end, and $missing")
+    }
+
+    /** Returns what is missing, besides the picture, if the picture is not complete, or null. */
+    private fun missing(): String? = when {
+        request.depthOutput != null -> "${request.depthOutput} was not written"
+
+        // They are complete if all rows had been rendered
+        request.aovs.files.isNotEmpty() -> "${request.aovs.files.first().second} may not have been written"
+
+        else -> request.reference?.let { "the picture was not compared with ${it.file}" }
     }
 
     private fun <T> writePicture(shot: Shot, render: (RowSink?) -> T): T {

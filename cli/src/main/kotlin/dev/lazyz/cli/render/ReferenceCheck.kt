@@ -2,10 +2,10 @@ package dev.lazyz.cli.render
 
 import dev.lazyz.Region
 import dev.lazyz.RowSink
+import dev.lazyz.cli.diff.writeMarked
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.scenes.pictures.PictureDifference
-import dev.lazyz.scenes.writers.writePng
 import java.nio.file.Files
 
 /**
@@ -26,7 +26,7 @@ internal class ReferenceCheck(private val request: ReferenceRequest) {
     /** Compares [colors], after all rows have arrived, and writes the picture of the differences. */
     fun compare(colors: ColorRows): PictureDifference {
         val difference = PictureDifference.between(reference, colors.toPicture(), request.threshold)
-        request.diff?.let { difference.toImage().writePng(it) }
+        request.diff?.let { difference.writeMarked(it) }
         return difference
     }
 

@@ -33,7 +33,11 @@ internal class Film(
     )
 
     init {
-        val kept = if (AnimationFiles.formatOf(path) == AnimationFormat.GIF) animation.frames else 1
+        val format = AnimationFiles.formatOf(path)
+        format.obstacle(animation.width, animation.height)?.let {
+            throw Mistake("a film of this picture cannot be written: $it; choose a smaller --size, or write a .png")
+        }
+        val kept = if (format == AnimationFormat.GIF) animation.frames else 1
         val bytes = 4L * kept * animation.width * animation.height
         val available = Runtime.getRuntime().maxMemory()
         if (bytes > available / 2) {

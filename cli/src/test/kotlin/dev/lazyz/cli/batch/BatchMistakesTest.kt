@@ -46,6 +46,14 @@ class BatchMistakesTest {
     }
 
     @Test
+    fun gifFilesHaveShortSides() {
+        val run = zcli("render", "teapot", "--turntable", "2", "--size", "70000x1", "--aa", "1", "-o", "$folder/a.gif")
+        val message = "a GIF has at most 65535 columns and rows: 70000x1; choose a smaller --size"
+        assertTrue(message in run.errors, run.errors)
+        assertEquals(ExitCode.MISTAKE, run.code)
+    }
+
+    @Test
     fun aViewThatIsNamedTwiceIsAMistake() {
         render("teapot", "--views", "iso,top,ISO", "-o", "$out/{view}.png").mistake("--views", "'ISO' is named twice")
         zcli("compare", "teapot", "--views", "iso,iso").mistake("--views", "'iso' is named twice")

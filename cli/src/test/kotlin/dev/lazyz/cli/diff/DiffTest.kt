@@ -4,6 +4,7 @@ import dev.lazyz.cli.image
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.zcli
 import java.awt.image.BufferedImage
+import java.nio.file.Files
 import java.nio.file.Path
 import javax.imageio.ImageIO
 import kotlin.io.path.copyTo
@@ -126,5 +127,18 @@ class DiffTest {
         zcli("diff", good, missing, "--diff", folder.resolve("where.png")).mistake("no such file")
         assertFalse(folder.resolve("where.png").exists())
         assertArrayEquals(copy.readBytes(), good.readBytes())
+    }
+
+    /** Together they would need a picture of 2^32 pixels. */
+    @Test
+    fun longAndHighPicturesDiffer() {
+        val (long, high) = listOf(65536 to 1, 1 to 65536).map { (width, height) ->
+            val image = BufferedImage(width, height, BufferedImage.TYPE_INT_RGB)
+            folder.resolve("$width.png").also { ImageIO.write(image, "png", it.toFile()) }
+        }
+        assertEquals(1, zcli("diff", long, high).code)
+        val marked = folder.resolve("marked.png")
+        zcli("diff", long, high, "--diff", marked).mistake("65536x65536 pixels", "omit --diff", "the sizes differ")
+        assertFalse(Files.exists(marked))
     }
 }

@@ -110,6 +110,7 @@ class TraceTest {
         trace("city", "a.gif", "--aa-filter", "mitchell", "--region", "9,9,9x9").mistake("--aa-filter box")
         trace("city", "a.gif", "--size", "262144").mistake("choose a smaller --size")
         trace("city", "a.gif", "--steps", "1000", "--size", "4000").mistake("and a film may use half of the")
+        trace("city", "a.gif", "--size", "70000x1", "--steps", "2").mistake("a GIF has at most 65535", "a .png")
         trace("city", "a.gif", "--steps", "1").mistake("must be in 2..1000: 1")
         trace(file("none.obj"), "a.gif").mistake("none.obj")
         trace("city", "a.gif", "--strategy", "lazy", "--tile-size", "16").mistake("--tile-size")

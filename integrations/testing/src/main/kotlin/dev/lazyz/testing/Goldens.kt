@@ -34,7 +34,7 @@ internal class Goldens(private val settings: GoldenSettings) {
             expected != null -> "the golden file is no image that can be decoded"
             else -> "there is no golden file"
         }
-        val failure = GoldenFailure(golden, problem, expected, actual, difference?.toImage()?.toPng())
+        val failure = GoldenFailure(golden, problem, expected, actual, difference?.let(::marked))
         val files = report.add(failure)
         val message = message(file, problem, files, test)
         settings.workspace?.let { settings.print(Annotation.of(it, file, message)) }
@@ -55,6 +55,13 @@ internal class Goldens(private val settings: GoldenSettings) {
     private fun difference(file: Path, bytes: ByteArray, actual: ActualPicture, threshold: Double) = try {
         PictureDifference.between(Picture.decode(bytes, "$file"), actual.picture, threshold)
     } catch (_: SceneFormatException) {
+        null
+    }
+
+    /** Returns a picture of the [difference] as PNG, or null if it has too many pixels. */
+    private fun marked(difference: PictureDifference): ByteArray? = try {
+        difference.toImage().toPng()
+    } catch (_: IllegalArgumentException) {
         null
     }
 

@@ -78,11 +78,17 @@ public class PictureDifference private constructor(
      * Returns a picture of where the pictures differ. Pixels that differ by more than [threshold] are yellow, and
      * redder the more they differ; pixels that only one of the pictures has are blue; all others are pale, in the grey
      * of the expected picture. It is opaque and as large as the larger picture in each direction; it has no depth.
+     *
+     * @throws IllegalArgumentException if that is more than 2^31 - 9 pixels; the message says so
      */
     public fun toImage(): Image {
         val width = maxOf(expected.width, actual.width)
         val height = maxOf(expected.height, actual.height)
-        val size = width * height
+        val pixels = width.toLong() * height
+        require(pixels <= MOST_PIXELS) {
+            "a picture of the difference has ${width}x$height pixels, and an image in memory at most $MOST_PIXELS"
+        }
+        val size = pixels.toInt()
         val allowed = allowed(threshold)
         val argb = IntArray(size) { shown(it % width, it / width, allowed) }
         return Image(width, height, argb, IntArray(size), IntArray(size) { DepthTest.BACKGROUND }, Counters.NONE)
@@ -104,6 +110,8 @@ public class PictureDifference private constructor(
 
         /** The greatest code of 16 bits. */
         private const val MOST = 65535
+
+        private const val MOST_PIXELS = Int.MAX_VALUE - 8L
 
         /** The bits at which the channels of a pixel begin. */
         private val CHANNELS = intArrayOf(48, 32, 16, 0)

@@ -14,7 +14,20 @@ public enum class AnimationFormat(public val id: String, public val extensions: 
     GIF("gif", listOf("gif")),
     ;
 
+    /** Returns why a file of this format cannot have frames of [width] x [height] pixels, or null if it can. */
+    public fun obstacle(width: Int, height: Int): String? = when {
+        this != GIF -> null
+        maxOf(width, height) > MAX_GIF_SIDE -> "a GIF has at most $MAX_GIF_SIDE columns and rows: ${width}x$height"
+        width.toLong() * height > MAX_GIF_PIXELS -> "a GIF frame has at most $MAX_GIF_PIXELS pixels: ${width}x$height"
+        else -> null
+    }
+
     public companion object {
+        private const val MAX_GIF_SIDE = 0xFFFF
+
+        /** A frame is in an array. */
+        private const val MAX_GIF_PIXELS = Int.MAX_VALUE - 8L
+
         /** Returns the format that a file name's extension belongs to, or null. */
         @JvmStatic
         public fun ofFileName(name: String): AnimationFormat? {

@@ -36,10 +36,8 @@ public class GifSink(private val output: OutputStream, private val animation: An
     private var isClosed = false
 
     init {
-        require(maxOf(animation.width, animation.height) <= MAX_SIDE) {
-            "a GIF has at most $MAX_SIDE columns and rows: ${animation.width} x ${animation.height}"
-        }
-        require(animation.width.toLong() * animation.height <= Int.MAX_VALUE - 8) { "a frame does not fit: $animation" }
+        val obstacle = AnimationFormat.GIF.obstacle(animation.width, animation.height)
+        require(obstacle == null) { "$obstacle" }
     }
 
     /**
@@ -79,8 +77,4 @@ public class GifSink(private val output: OutputStream, private val animation: An
     }
 
     override fun toString(): String = "GifSink($animation, ${frames.size} frames)"
-
-    private companion object {
-        const val MAX_SIDE = 0xFFFF
-    }
 }
