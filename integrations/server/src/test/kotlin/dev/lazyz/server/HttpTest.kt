@@ -77,6 +77,20 @@ class HttpTest {
         }
     }
 
+    /** A proxy may read another end of such a request, so what follows is not taken for the next one. */
+    @Test
+    fun aRequestWithTwoLengthsIsTheLast() {
+        val size = Client.MODEL.size.toString(16)
+        val body = "$size\r\n${Client.MODEL.decodeToString()}\r\n0\r\n\r\n"
+        val lengths = listOf("Transfer-Encoding: chunked", "Content-Length: 5")
+        for (start in listOf("POST /render?size=8", "GET /health/live")) {
+            for (both in listOf(lengths, lengths.reversed())) {
+                val head = "$start HTTP/1.1\r\nHost: x\r\n${both.joinToString("\r\n")}\r\n\r\n"
+                assertEquals(1, answers("$head$body$alive").size, "$both")
+            }
+        }
+    }
+
     @Test
     fun aChunkedModelIsRead() {
         val size = Client.MODEL.size.toString(16)
