@@ -40,22 +40,24 @@ import dev.lazyz.world.surface.Surface
 public class EdgeDrawing(private val surfaces: List<Surface>, public val style: EdgeStyle) : Surface {
     private val model by lazy { EdgeModel(surfaces, style.creaseAngle) }
 
+    /** The width of visible lines as they are drawn, samples; the unit of all lengths below. */
+    private val width = maxOf(style.width, 1.0)
+
     /** Null: the surfaces have bounds of their own. */
     override val bounds: Box? get() = null
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = sequence {
         val viewport = Viewport(setUp.raster)
         val depth = viewport.depthOfUnit(0.0)
-        val hiddenWidth = style.width * EdgeStyle.HIDDEN_SHARE
         val view = view(setUp)
         view.divide(style.edges, style.hidden != HiddenLines.NONE)
 
         // The first submitted wins where visible and hidden lines cross
-        val pen = Pen(setUp.raster, style.color, depth, style.width)
+        val pen = Pen(setUp.raster, style.color, depth, width)
         for (line in lines(view.visible)) yieldAll(pen.strokes(line))
         if (style.hidden == HiddenLines.NONE) return@sequence
-        val thinPen = Pen(setUp.raster, style.color, depth, hiddenWidth)
-        val dashes = Dashes(DASH * style.width, GAP * style.width)
+        val thinPen = Pen(setUp.raster, style.color, depth, width * EdgeStyle.HIDDEN_SHARE)
+        val dashes = Dashes(DASH * width, GAP * width)
         for (line in lines(view.hidden)) {
             if (style.hidden == HiddenLines.SOLID) {
                 yieldAll(thinPen.strokes(line))
@@ -72,14 +74,14 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
         val size = surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union)?.let {
             maxOf(it.maxX - it.minX, it.maxY - it.minY, it.maxZ - it.minZ)
         }
-        val margin = style.width / 2 + 2.0
+        val margin = width / 2 + 2.0
         val space = ViewSpace(setUp.raster, camera)
         return EdgeView(model, Facing(model, camera), space, (size ?: 0.0) * TOLERANCE, margin, setUp.workers)
     }
 
     private fun lines(pieces: Pieces): List<DoubleArray> {
         val lines = ArrayList<DoubleArray>()
-        val whole = Crumbs(pieces, model.pointCount, CRUMB * style.width, NEAR * style.width).removed()
+        val whole = Crumbs(pieces, model.pointCount, CRUMB * width, NEAR * width).removed()
         Polylines(whole, model.pointCount).forEach { lines += it }
         return lines
     }

@@ -20,14 +20,17 @@ import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Surface
 import dev.lazyz.world.surface.Vertex
+import java.time.Duration
 import java.util.Random
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.function.ThrowingSupplier
 
 /** Visible edges are drawn, hidden ones are not, and all strategies draw the same. */
 class EdgeDrawingTest {
@@ -314,6 +317,20 @@ class EdgeDrawingTest {
         for (factor in listOf(1, 4)) {
             val image = SuperSampling(factor).frame(scene, Raster(100, 100)).render(ZBuffer())
             assertEquals(listOf(23..26, 73..76), image.blackColumns(50))
+        }
+    }
+
+    /** Dashes and the grid of crumbs are multiples of the width; a width near 0 would make them too many to count. */
+    @Test
+    fun rule_10_3_widthsBelowOneSampleCountAsOneSample() {
+        val surfaces = listOf(Solids.sphere(24, 12), square(-3f, -0.2f, 1.5f, 0.2f, 0.3f))
+        for (hidden in HiddenLines.entries) {
+            val one = render(surfaces, EdgeStyle(hidden = hidden))
+            val thin: Image = assertTimeoutPreemptively(
+                Duration.ofSeconds(20),
+                ThrowingSupplier { render(surfaces, EdgeStyle(width = 1e-5, hidden = hidden)) },
+            )
+            assertArrayEquals(one.argb, thin.argb) { "$hidden" }
         }
     }
 
