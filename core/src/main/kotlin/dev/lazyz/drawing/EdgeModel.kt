@@ -11,7 +11,8 @@ import org.joml.Vector3dc
 
 /**
  * The edges of all meshes and polygons of a scene, and the faces at each. Points are numbered by position, over all
- * surfaces together, so that a model whose parts have different materials has no seams. Immutable and thread safe.
+ * surfaces together, so that a model whose parts have different materials has no seams. Faces are numbered, too: first
+ * the triangles, then the polygons. Immutable and thread safe.
  *
  * Cost: linear in the number of triangles; about 80 bytes a triangle.
  */
@@ -25,14 +26,14 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
     /** x, y, z for each point, relative to [origin]. */
     val points: FloatArray
 
-    /** Three points for each face. */
+    /** Three points for each triangle. */
     val corners: IntArray
 
     /** By face: whether it hides what is behind it, and which sides of it are drawn. */
     private val isHiding: BooleanArray
     private val isOneSided: BooleanArray
 
-    /** Polygons that hide what is behind them: contours of point numbers. */
+    /** The polygons: contours of point numbers. */
     val polygons: List<OutlinedFace>
 
     private val edges: DistinctTriples
@@ -41,10 +42,14 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
     private var firstFace: IntArray
     private var secondFace: IntArray
 
+    /** The faces of edges that have [MANY_FACES], without the first. */
+    private val moreFaces = HashMap<Int, MutableList<Int>>()
+
     /** By edge: whether it is a crease or a boundary. */
     private val features: BooleanArray
 
-    val faceCount: Int get() = corners.size / 3
+    val triangleCount: Int get() = corners.size / 3
+    val faceCount: Int get() = triangleCount + polygons.size
     val edgeCount: Int get() = edges.size
     val pointCount: Int get() = points.size / 3
 
@@ -54,8 +59,8 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
         val faces = DistinctTriples(meshes.sumOf { it.triangleCount })
         val most = meshes.sumOf { it.triangleCount }
         val corners = IntArray(3 * most)
-        val isHiding = BooleanArray(most)
-        val isOneSided = BooleanArray(most)
+        val isHiding = BooleanArray(most + flats.size)
+        val isOneSided = BooleanArray(most + flats.size)
         var count = 0
         for (mesh in meshes) {
             val p = mesh.relativeTo(origin).positions
@@ -80,22 +85,23 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
         this.corners = corners.copyOf(3 * count)
         this.isHiding = isHiding
         this.isOneSided = isOneSided
-        polygons = flats.map { polygon ->
-            OutlinedFace(
-                polygon.contours.map { contour ->
-                    val numbers = contour.map {
-                        add(
-                            distinct,
-                            (it.x - origin.x()).toFloat(),
-                            (it.y - origin.y()).toFloat(),
-                            (it.z - origin.z()).toFloat(),
-                        )
-                    }
-                    numbers.filter { it >= 0 }.toIntArray()
-                },
-                polygon.fillRule,
-                !polygon.material.isTranslucent,
-            )
+        polygons = ArrayList()
+        for (polygon in flats) {
+            val contours = polygon.contours.map { contour ->
+                val numbers = contour.map {
+                    add(
+                        distinct,
+                        (it.x - origin.x()).toFloat(),
+                        (it.y - origin.y()).toFloat(),
+                        (it.z - origin.z()).toFloat(),
+                    )
+                }
+                numbers.toIntArray()
+            }
+            if (contours.any { -1 in it }) continue
+            isHiding[count + polygons.size] = !polygon.material.isTranslucent
+            isOneSided[count + polygons.size] = polygon.material.sides == Sides.FRONT
+            polygons += OutlinedFace(contours, polygon.fillRule)
         }
         points = FloatArray(3 * distinct.size) { Float.fromBits(distinct.get(it / 3, it % 3)) }
 
@@ -106,8 +112,10 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
         for (face in 0 until count) {
             for (k in 0 until 3) addEdge(corners[3 * face + k], corners[3 * face + (k + 1) % 3], face)
         }
-        for (contour in polygons.flatMap { it.contours }) {
-            for (i in contour.indices) addEdge(contour[i], contour[(i + 1) % contour.size], MANY_FACES)
+        for ((i, polygon) in polygons.withIndex()) {
+            for (contour in polygon.contours) {
+                for (k in contour.indices) addEdge(contour[k], contour[(k + 1) % contour.size], count + i)
+            }
         }
         val cosine = StrictMath.cos(creaseAngle * (StrictMath.PI / 180.0))
         features = BooleanArray(edges.size) { secondFace[it] < 0 || isCrease(it, cosine) }
@@ -129,19 +137,26 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
             firstFace = firstFace.copyOf(edge + edge / 2)
             secondFace = secondFace.copyOf(edge + edge / 2)
         }
-        when {
-            edge == known && face != MANY_FACES -> {
-                firstFace[edge] = face
-                secondFace[edge] = NO_FACE
-            }
-            edge == known -> {
-                firstFace[edge] = NO_FACE
-                secondFace[edge] = MANY_FACES
-            }
-            secondFace[edge] == NO_FACE && face >= 0 -> secondFace[edge] = face
-            else -> secondFace[edge] = MANY_FACES
+        if (edge == known) {
+            firstFace[edge] = face
+            secondFace[edge] = NO_FACE
+            if (isPolygon(face)) addMore(edge)
+        } else if (secondFace[edge] == NO_FACE && !isPolygon(face)) {
+            secondFace[edge] = face
+        } else {
+            addMore(edge).add(face)
         }
     }
+
+    /** Makes [edge] one of [MANY_FACES], and returns the list of those after the first. */
+    private fun addMore(edge: Int): MutableList<Int> {
+        val faces = moreFaces.getOrPut(edge) { ArrayList(2) }
+        if (secondFace[edge] >= 0) faces += secondFace[edge]
+        secondFace[edge] = MANY_FACES
+        return faces
+    }
+
+    private fun isPolygon(face: Int) = face >= triangleCount
 
     /** Returns the point at one [end] of [edge], 0 or 1. */
     fun end(edge: Int, end: Int): Int = edges.get(edge, end)
@@ -149,11 +164,14 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
     /** Whether [edge] is a crease or a boundary. */
     fun isFeature(edge: Int): Boolean = features[edge]
 
-    /** The first face of [edge]; [NO_FACE] if it belongs to polygons only. */
+    /** The first face of [edge]. */
     fun firstFace(edge: Int): Int = firstFace[edge]
 
     /** The second face of [edge], or [NO_FACE] or [MANY_FACES]. */
     fun secondFace(edge: Int): Int = secondFace[edge]
+
+    /** The faces of [edge] after the first, if it has [MANY_FACES]. */
+    fun moreFaces(edge: Int): List<Int> = moreFaces.getValue(edge)
 
     /** Whether [face] hides what is behind it, from the side that it [shows] to the camera. */
     fun isHiding(face: Int, shows: Boolean): Boolean = isHiding[face] && isDrawn(face, shows)
@@ -183,14 +201,31 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
 
     private fun dot(a: DoubleArray, b: DoubleArray) = a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
+    /** A point of [face]; null if it has none. */
+    fun corner(face: Int): Int? =
+        if (isPolygon(face)) polygons[face - triangleCount].points.firstOrNull() else corners[3 * face]
+
     /**
-     * Writes the normal of [face] to [out]; its length is twice the area. Writes 0 if the corners are in one line, up
-     * to the rounding of positions.
+     * Writes the normal of [face] to [out]; its length is twice the area. Writes 0 if the corners of a triangle are in
+     * one line, up to the rounding of positions. The normal of a polygon is the sum of those of the triangles that its
+     * sides make with the first vertex of their contour.
      */
     fun normal(face: Int, out: DoubleArray) {
-        val a = 3 * corners[3 * face]
-        val b = 3 * corners[3 * face + 1]
-        val c = 3 * corners[3 * face + 2]
+        if (!isPolygon(face)) return normal(corners[3 * face], corners[3 * face + 1], corners[3 * face + 2], out)
+        val sum = DoubleArray(3)
+        for (contour in polygons[face - triangleCount].contours) {
+            for (i in 2 until contour.size) {
+                normal(contour[0], contour[i - 1], contour[i], out)
+                for (k in 0 until 3) sum[k] += out[k]
+            }
+        }
+        sum.copyInto(out)
+    }
+
+    private fun normal(first: Int, second: Int, third: Int, out: DoubleArray) {
+        val a = 3 * first
+        val b = 3 * second
+        val c = 3 * third
         val ux = points[b].toDouble() - points[a]
         val uy = points[b + 1].toDouble() - points[a + 1]
         val uz = points[b + 2].toDouble() - points[a + 2]

@@ -35,7 +35,9 @@ internal class EdgeView(
             space.place(p[at].toDouble(), p[at + 1].toDouble(), p[at + 2].toDouble(), places, 4 * point)
         }
         grid = FaceGrid(space, model, facing, places, margin)
-        planes = model.polygons.map { if (it.isHiding) PolygonPlane.of(it, places) else null }
+        planes = model.polygons.mapIndexed { i, polygon ->
+            if (facing.isHiding(model.triangleCount + i)) PolygonPlane.of(polygon, places) else null
+        }
     }
 
     /**

@@ -31,7 +31,7 @@ internal class FaceGrid(
     init {
         // About as many cells as triangles in the finest grid
         var finest = 0
-        while (finest < FINEST && (1L shl 2 * finest) < model.faceCount) finest++
+        while (finest < FINEST && (1L shl 2 * finest) < model.triangleCount) finest++
         levels = finest + 1
         val cells = first(levels)
         starts = IntArray(cells + 2)
@@ -46,7 +46,7 @@ internal class FaceGrid(
     private fun first(level: Int): Int = ((1L shl 2 * level) / 3).toInt()
 
     private inline fun forEachCell(facing: Facing, extent: Extent, action: (cell: Int, face: Int) -> Unit) {
-        for (face in 0 until model.faceCount) {
+        for (face in 0 until model.triangleCount) {
             if (!facing.isHiding(face) || !measure(face, extent)) continue
             val size = maxOf(extent.x1 - extent.x0, extent.y1 - extent.y0)
             var level = 0

@@ -16,15 +16,15 @@ internal class Facing(private val model: EdgeModel, camera: Camera) {
         val eye = camera.eye
         val normal = DoubleArray(3)
         for (face in fronts.indices) {
+            val at = 3 * (model.corner(face) ?: continue)
             model.normal(face, normal)
-            val at = 3 * model.corners[3 * face]
             val p = model.points
             val toward = if (isPerspective) {
                 normal[0] * (eye.x() - p[at]) + normal[1] * (eye.y() - p[at + 1]) + normal[2] * (eye.z() - p[at + 2])
             } else {
                 normal[0] * back.x + normal[1] * back.y + normal[2] * back.z
             }
-            fronts[face] = toward > 0.0
+            fronts[face] = if (face < model.triangleCount) toward > 0.0 else toward >= 0.0
             isLine[face] = normal.all { it == 0.0 }
         }
     }
@@ -44,8 +44,8 @@ internal class Facing(private val model: EdgeModel, camera: Camera) {
     /** Whether a face of [edge] is drawn. */
     fun isDrawn(edge: Int): Boolean {
         val second = model.secondFace(edge)
-        return second == EdgeModel.MANY_FACES || isDrawnFace(model.firstFace(edge)) ||
-            (second >= 0 && isDrawnFace(second))
+        return isDrawnFace(model.firstFace(edge)) || (second >= 0 && isDrawnFace(second)) ||
+            (second == EdgeModel.MANY_FACES && model.moreFaces(edge).any(::isDrawnFace))
     }
 
     private fun isDrawnFace(face: Int) = model.isDrawn(face, fronts[face])

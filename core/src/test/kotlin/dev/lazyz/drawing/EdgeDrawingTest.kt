@@ -83,6 +83,39 @@ class EdgeDrawingTest {
         }
     }
 
+    /** Clockwise, with one side: it shows its back, so neither it nor its outline is drawn, and it hides nothing. */
+    @Test
+    fun rule_10_2_polygonsThatAreNotDrawnHaveNoEdgesAndHideNothing() {
+        val oneSided = plain.withSides(Sides.FRONT)
+        val contour = listOf(Vertex(-1.0, -1.0, 1.0), Vertex(-1.0, 1.0, 1.0), Vertex(1.0, 1.0, 1.0))
+        val behind = square(-1.8f, -1.5f, 1.8f, 0.02f, -1f)
+        val alone = render(listOf(behind), EdgeStyle())
+        val broken = contour + Vertex(0.0, Double.NaN, 1.0) + Vertex(1.0, -1.0, 1.0)
+        for (polygon in listOf(Polygon(listOf(contour), oneSided), Polygon(listOf(broken), plain))) {
+            assertEquals(0, render(listOf(polygon), EdgeStyle()).visible) { "$polygon" }
+            assertArrayEquals(alone.argb, render(listOf(behind, polygon), EdgeStyle()).argb) { "$polygon" }
+        }
+
+        // From the front it is drawn, and hides
+        val shown = Polygon(listOf(contour.reversed()), oneSided)
+        assertTrue(render(listOf(shown), EdgeStyle()).isBlack(49, 50))
+        assertEquals(listOf(4..24), render(listOf(behind, shown), EdgeStyle()).blackColumns(49).take(1))
+    }
+
+    @Test
+    fun rule_10_2_anEdgeOfThreeTrianglesIsDrawnIfOneOfThemIs() {
+        val positions = floatArrayOf(0.02f, -1f, 0f, 0.02f, 1f, 0f, 1f, 0f, 0f, 1f, 0.3f, -1f, 0.9f, 0.1f, -2f)
+        val backs = intArrayOf(0, 1, 2, 0, 1, 3, 0, 1, 4)
+        val oneSided = plain.withSides(Sides.FRONT)
+        assertEquals(0, render(listOf(Mesh(positions, backs, oneSided)), EdgeStyle()).visible)
+        for (front in 0 until 3) {
+            val triangles = backs.copyOf()
+            triangles[3 * front] = 1
+            triangles[3 * front + 1] = 0
+            assertTrue(render(listOf(Mesh(positions, triangles, oneSided)), EdgeStyle()).isBlack(50, 30)) { "$front" }
+        }
+    }
+
     /**
      * An edge of a convex solid is visible if one of its faces shows its front. All pixels that contain a point of it
      * are drawn, and pixels away from visible edges are not.
