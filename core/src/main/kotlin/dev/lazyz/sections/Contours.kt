@@ -50,23 +50,25 @@ internal class Contours {
     fun loops(): List<FloatArray> {
         connect()
 
-        // Where an odd number of segments meet, an open contour begins
+        // Where an odd number of segments meet, an open contour begins: first where one of them leads away
         val degree = IntArray(points.size)
         for (pair in 0 until pairs.size) {
             if (balance[pair] == 0) continue
             degree[pairs.get(pair, 0)]++
             degree[pairs.get(pair, 1)]++
         }
-        for (point in degree.indices) {
-            if (degree[point] % 2 == 0 || unused(point, true) < 0) continue
-            val path = path(point, isClosed = false)
-            openCount++
-            for (i in 1 until path.size) openSegments += place(path[i - 1]) + place(path[i])
-            degree[path.first()]--
-            degree[path.last()]--
+        for (isDirected in listOf(true, false)) {
+            for (point in degree.indices) {
+                if (degree[point] % 2 == 0 || unused(point, isDirected) < 0) continue
+                val path = path(point, isClosed = false)
+                openCount++
+                for (i in 1 until path.size) addOpen(path[i - 1], path[i])
+                degree[path.first()]--
+                degree[path.last()]--
+            }
         }
 
-        // All others are closed
+        // At all points, an even number of segments is left: all other paths are closed
         val loops = ArrayList<FloatArray>()
         for (pair in 0 until pairs.size) {
             if (balance[pair] == 0 || isUsed[pair]) continue
@@ -76,6 +78,11 @@ internal class Contours {
             if (loop.size >= 3) loops += FloatArray(3 * loop.size) { Float.fromBits(points.get(loop[it / 3], it % 3)) }
         }
         return loops
+    }
+
+    /** Adds the segment between [from] and [to] to the open ones, in its own direction. */
+    private fun addOpen(from: Int, to: Int) {
+        openSegments += if (isForward(from, to)) place(from) + place(to) else place(to) + place(from)
     }
 
     /** Lists the pairs at each point: those of point p are a chain of numbers 2 x pair + end. */

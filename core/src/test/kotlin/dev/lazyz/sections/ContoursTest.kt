@@ -43,6 +43,23 @@ class ContoursTest {
         assertEquals(2, open, "segments that are left")
     }
 
+    /** Surfaces whose neighbours have opposite orders of vertices: segments lead away from a point, or toward it. */
+    @Test
+    fun rule_10_5_anOpenContourIsOpenWhateverItsDirections() {
+        val corners = List(4) { floatArrayOf(it.toFloat(), (it % 2).toFloat(), 0f) }
+        for (directions in 0 until 8) {
+            val contours = Contours()
+            val segments = List(3) { if (directions shr it and 1 == 0) it to it + 1 else it + 1 to it }
+            for ((from, to) in segments) contours.add(corners[from], corners[to])
+            assertEquals(emptyList<FloatArray>(), contours.loops()) { "$segments" }
+            assertEquals(1, contours.openCount) { "$segments" }
+
+            // They can still be joined to others, so they keep their directions
+            val expected = segments.map { (from, to) -> (corners[from] + corners[to]).toList() }
+            assertEquals(expected.toSet(), contours.openSegments.map { it.toList() }.toSet()) { "$segments" }
+        }
+    }
+
     private companion object {
         const val MANY = 300_000
     }
