@@ -41,6 +41,10 @@ public class Section @JvmOverloads constructor(
     public val planes: List<SectionPlane>,
     private val capMaterial: UnaryOperator<Material> = UnaryOperator { darkened(it) },
 ) {
+    /** The planes without those that are there already. Adding 0 makes -0 equal to 0. */
+    private val distinctPlanes =
+        planes.distinctBy { listOf(it.normal.x() + 0.0, it.normal.y() + 0.0, it.normal.z() + 0.0, it.distance + 0.0) }
+
     /**
      * Cuts [scene]. Caps come after all surfaces, in submission order. Lights and viewpoint are unchanged; a rule such
      * as `Camera.fit` shows what remains. Cost: linear in the size of the scene, for each plane.
@@ -48,9 +52,9 @@ public class Section @JvmOverloads constructor(
     public fun of(scene: Scene): SectionedScene {
         val warnings = ArrayList<String>()
         val meshes = scene.surfaces.filterIsInstance<Mesh>()
-        val caps = planes.flatMap { caps(meshes, it, warnings) }
+        val caps = distinctPlanes.flatMap { caps(meshes, it, warnings) }
         val kept = scene.surfaces.mapNotNull { surface ->
-            planes.fold(surface as Surface?) { rest, plane -> rest?.let { cut(it, plane) } }
+            distinctPlanes.fold(surface as Surface?) { rest, plane -> rest?.let { cut(it, plane) } }
         }
         val whole = scene.surfaces.count { it !is Mesh && it !is Polygon && it !is Points && it !is Lines }
         if (whole > 0) warnings += "$whole spheres or custom surfaces cannot be cut, and are shown whole"
@@ -81,32 +85,28 @@ public class Section @JvmOverloads constructor(
 
     /** Returns the caps of [meshes] on [plane], cut by the other planes. */
     private fun caps(meshes: List<Mesh>, plane: SectionPlane, warnings: MutableList<String>): List<Polygon> {
-        val caps = ArrayList<Polygon>()
+        val caps = ArrayList<Polygon?>()
         var open = 0
 
-        // Meshes far from the world's origin have origins of their own, and have no contours in common
-        for ((origin, group) in meshes.groupBy { it.origin }) {
-            val rest = Contours()
-            var restMaterial: Material? = null
-            for (mesh in group) {
-                val contours = Contours()
-                MeshCut(mesh, plane).addSegments(contours)
-                val cap = cap(contours, origin, mesh.material, plane)
-                if (cap != null) caps += cap
-                if (contours.openSegments.isEmpty()) continue
-                rest.addAll(contours.openSegments)
-                if (restMaterial == null) restMaterial = mesh.material
-            }
-            if (restMaterial == null) continue
-            val cap = cap(rest, origin, restMaterial, plane)
-            if (cap != null) caps += cap
-            open += rest.openCount
+        // What is open, by origin: meshes far from that of the world have others, and have no contours in common
+        class Rest(val material: Material, val contours: Contours)
+        val rests = LinkedHashMap<Vector3dc, Rest>()
+        for (mesh in meshes) {
+            val contours = Contours()
+            MeshCut(mesh, plane).addSegments(contours)
+            caps += cap(contours, mesh.origin, mesh.material, plane)
+            if (contours.openSegments.isEmpty()) continue
+            rests.getOrPut(mesh.origin) { Rest(mesh.material, Contours()) }.contours.addAll(contours.openSegments)
+        }
+        for ((origin, rest) in rests) {
+            caps += cap(rest.contours, origin, rest.material, plane)
+            open += rest.contours.openCount
         }
         if (open > 0) {
             val word = if (open == 1) "1 contour does" else "$open contours do"
             warnings += "$word not close where the plane $plane cuts the model: no cap there, because the mesh is open"
         }
-        return caps
+        return caps.filterNotNull()
     }
 
     private fun cap(contours: Contours, origin: Vector3dc, material: Material, plane: SectionPlane): Polygon? {
@@ -117,7 +117,8 @@ public class Section @JvmOverloads constructor(
         }
         val whole = Polygon(loops, capMaterial.apply(material), FillRule.NON_ZERO)
         if (loops.isEmpty()) return null
-        return planes.filter { it !== plane }.fold(whole as Polygon?) { rest, other -> rest?.let { cut(it, other) } }
+        val others = distinctPlanes.filter { it !== plane }
+        return others.fold(whole as Polygon?) { rest, other -> rest?.let { cut(it, other) } }
     }
 
     override fun toString(): String = "Section($planes)"

@@ -147,6 +147,36 @@ class SectionTest {
     }
 
     @Test
+    fun rule_10_4_equalPlanesCutOnce() {
+        val (turned, again) = List(2) { SectionPlane(Vector3d(1.0, 2.0, -0.7), 0.3) }
+        val equal = listOf(0.1 to 0.1, 0.5 to 0.5, 0.0 to -0.0).map { (a, b) -> SectionPlane.x(a) to SectionPlane.x(b) }
+        for ((plane, again) in equal + (turned to again)) {
+            val once = cut(listOf(Solids.cube()), plane, SectionPlane.y(0.25))
+            val twice = cut(listOf(Solids.cube()), plane, again, SectionPlane.y(0.25), plane)
+            assertEquals(2, caps(twice).size, "$plane")
+            assertEquals(caps(once).map { "${it.contours}" }, caps(twice).map { "${it.contours}" })
+            assertEquals(volume(once), volume(twice), "$plane")
+        }
+    }
+
+    /** The last ones have contours that close only together. */
+    @Test
+    fun rule_10_5_capsAreInTheOrderOfMeshesWhateverTheirOrigins() {
+        val cube = Solids.cube()
+        val sides = cube.triangles.copyOf(cube.triangles.size - 6)
+        val lid = cube.triangles.copyOfRange(cube.triangles.size - 6, cube.triangles.size)
+        fun mesh(name: String, origin: Double, triangles: IntArray = cube.triangles) =
+            Mesh(cube.positions, triangles, Material(name = name), origin = Vector3d(origin, 0.0, 0.0))
+        val meshes = listOf(
+            mesh("A", 0.0, sides), mesh("B", 0.0), mesh("C", 5.0), mesh("D", 0.0), mesh("E", 9.0), mesh("F", 5.0),
+            mesh("G", 0.0, lid),
+        )
+        val cut = cut(meshes, SectionPlane.y(0.0), SectionPlane.z(0.0))
+        assertEquals(emptyList<String>(), cut.warnings)
+        assertEquals(List(2) { listOf("B", "C", "D", "E", "F", "A") }.flatten(), caps(cut).map { it.material.name })
+    }
+
+    @Test
     fun rule_10_5_openMeshesGetAWarningAndNoCap() {
         val cube = Solids.cube()
         val open = Mesh(cube.positions, cube.triangles.copyOf(cube.triangles.size - 6))
