@@ -31,10 +31,10 @@ internal class PyramidFiles(private val descriptor: Path) {
         if (Files.isDirectory(descriptor)) throw refused("it is a folder; name a file in it")
         val parent = descriptor.toAbsolutePath().parent
         if (!Files.isDirectory(parent)) throw refused("there is no folder $parent; create it or choose another")
-        if (Files.exists(place) && !isPyramid(place)) {
+        folder = if (Files.exists(place)) place.toRealPath() else place
+        if (Files.exists(folder) && !isPyramid(folder)) {
             throw refused("$place exists and has other files than tiles; move it away, or choose another name")
         }
-        folder = if (Files.exists(place)) place.toRealPath() else place
     }
 
     /** Gives [tiles], a complete folder, its name, and writes the descriptor. An old pyramid is replaced. */

@@ -9,6 +9,7 @@ import java.nio.file.Path
 import java.util.Random
 import javax.imageio.ImageIO
 import kotlin.io.path.createDirectories
+import kotlin.io.path.createSymbolicLinkPointingTo
 import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
@@ -94,6 +95,16 @@ class DeepZoomTest {
         assertThrows<IOException> { DeepZoomFiles.write(folder.resolve(".dzi"), 9, 9) { sink -> send(sink, 9, 9) } }
         assertThrows<IOException> { DeepZoomFiles.write(folder.resolve("x/a.dzi"), 9, 9) { sink -> send(sink, 9, 9) } }
         assertEquals(listOf(tiles), folder.listDirectoryEntries())
+    }
+
+    @Test
+    fun aFolderWithOtherFilesIsNotReplacedThroughALink() {
+        val own = folder.resolve("own/3").createDirectories().resolve("notes.txt").apply { writeText("mine") }
+        tiles.createSymbolicLinkPointingTo(Path.of("own"))
+        val refused = assertThrows<IOException> { DeepZoomFiles.write(path, 9, 9) { sink -> send(sink, 9, 9) } }
+        assertTrue("other files than tiles" in refused.message.orEmpty(), refused.message)
+        assertEquals("mine", own.readText())
+        assertEquals(setOf("own", "a_files"), folder.listDirectoryEntries().map { it.name }.toSet())
     }
 
     @Test
