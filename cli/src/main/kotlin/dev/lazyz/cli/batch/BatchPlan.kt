@@ -72,7 +72,7 @@ internal class BatchPlan(private val request: BatchRequest) {
             inputs.flatMap { input -> input.views.flatMap { it.files } }
         }
         files.forEach { check(it) }
-        replaced = OutputPlaces(files.map { "-o" to it })
+        replaced = OutputPlaces(files.flatMap { PictureFile.places(it) }.map { "-o" to it })
         request.inputs.forEach { request.subject(it).requireKept(replaced) }
     }
 

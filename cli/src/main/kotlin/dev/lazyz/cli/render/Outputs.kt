@@ -42,7 +42,7 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     ) + request.aovs.files
 
     /** Those that exist already. */
-    val replaced = OutputPlaces(files)
+    val replaced = OutputPlaces(files.flatMap { (option, path) -> PictureFile.places(path).map { option to it } })
 
     init {
         if (picture != null) {
@@ -54,6 +54,7 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
         request.reference?.diff?.let { OutputFile.check(it, "--diff", listOf(".png")) }
         OutputFile.requireDistinct(listOfNotNull(request.reference?.let { "--ref" to it.file }) + files)
         request.subject.requireKept(replaced)
+        request.reference?.let { replaced.requireNone(listOf(it.file), "the file of --ref") }
         request.resumption?.requirePossible(picture, input.isStandardInput, wholePictures())
     }
 

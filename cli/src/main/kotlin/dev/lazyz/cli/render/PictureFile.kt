@@ -23,6 +23,10 @@ internal object PictureFile {
     /** Whether [path] names a Deep Zoom pyramid: a file and a folder. */
     fun isPyramid(path: Path): Boolean = path.extension.equals(DeepZoomFiles.EXTENSION, ignoreCase = true)
 
+    /** Returns what is replaced if a picture is written to [path]: the file, and the folder of a pyramid's tiles. */
+    fun places(path: Path): List<Path> =
+        if (isPyramid(path)) listOf(path, DeepZoomFiles.tiles(path)) else listOf(path)
+
     /** Returns a warning if a picture with this [alpha] loses it in the file [path], otherwise null. */
     fun lostAlpha(path: Path, alpha: AlphaChannel): String? {
         if (alpha == AlphaChannel.DROP || isPyramid(path) || ImageFiles.formatOf(path) != ImageFormat.PPM) return null

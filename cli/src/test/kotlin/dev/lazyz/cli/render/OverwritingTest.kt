@@ -10,8 +10,10 @@ import javax.imageio.ImageIO
 import kotlin.io.path.createDirectory
 import kotlin.io.path.createSymbolicLinkPointingTo
 import kotlin.io.path.isSymbolicLink
+import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -70,6 +72,30 @@ class OverwritingTest {
             }
         }
         assertEquals(3, texture.image.width)
+    }
+
+    /** The folder of the tiles is replaced as a whole. */
+    @Test
+    fun noPyramidReplacesWhatIsReadFromItsTiles() {
+        val dzi = folder.resolve("x.dzi")
+        zcli("render", "teapot", "--size", "9", "-o", dzi).done()
+        val tile = folder.resolve("x_files/4/0_0.png")
+        val before = tile.readBytes()
+        val link = folder.resolve("link.png").createSymbolicLinkPointingTo(tile)
+        for (option in listOf("--texture", "--matcap")) {
+            val message = "-o would replace the input of $option: $tile"
+            zcli("render", "teapot", option, tile, "-o", dzi).mistake(message)
+        }
+        zcli("render", "teapot", "--matcap", link, "-o", dzi).mistake("-o would replace the input of --matcap: $link")
+        zcli("render", "teapot", "--ref", tile, "-o", dzi).mistake("-o would replace the file of --ref: $tile")
+        zcli("render", tile, "--format", "obj", "-o", dzi).mistake("-o would replace an input: $tile")
+        folder.resolve("m.mtl").writeText("newmtl m\nmap_Kd x_files/4/0_0.png\n")
+        val model = folder.resolve("x.obj")
+        model.writeText("mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n")
+        val message = "-o would replace a file that $model refers to: $tile"
+        zcli("render", model, "-o", dzi).mistake(message)
+        zcli("render", model, "city", "-o", folder.resolve("{stem}.dzi")).mistake(message)
+        assertArrayEquals(before, tile.readBytes())
     }
 
     /** The link stays, and the file that it names is written, whether it existed or not. */

@@ -116,6 +116,10 @@ public object DeepZoomFiles {
         PyramidFiles(path).publish(tiles, width, height)
     }
 
+    /** Returns where the folder of the tiles is, or will be, if the descriptor is [path]. */
+    @JvmStatic
+    public fun tiles(path: Path): Path = PyramidFiles.place(path)
+
     private inline fun <R> writing(path: Path, block: (PyramidFiles) -> R): R =
         AtomicFile.rendering { AtomicFile.explaining(path) { block(PyramidFiles(path)) } }
 }

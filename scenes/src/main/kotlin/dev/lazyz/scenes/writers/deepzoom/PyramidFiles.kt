@@ -14,8 +14,8 @@ import java.nio.file.Path
  * @throws IOException if they cannot be written, or something else has the name of the folder
  */
 internal class PyramidFiles(private val descriptor: Path) {
-    private val name = descriptor.fileName?.toString()?.substringBeforeLast('.').orEmpty()
-    private val place = descriptor.toAbsolutePath().resolveSibling("${name}_files")
+    private val name = nameOf(descriptor)
+    private val place = place(descriptor)
 
     /** The folder of the tiles. */
     val folder: Path
@@ -75,8 +75,13 @@ internal class PyramidFiles(private val descriptor: Path) {
         |
         """.trimMargin()
 
-    private companion object {
-        val LEVEL = Regex("[0-9]{1,2}")
-        val TILE = Regex("[0-9]+_[0-9]+\\.(png|jpe?g|webp)")
+    companion object {
+        private val LEVEL = Regex("[0-9]{1,2}")
+        private val TILE = Regex("[0-9]+_[0-9]+\\.(png|jpe?g|webp)")
+
+        /** Returns the place of the tiles, an absolute path: a folder, a link to one, or nothing. */
+        fun place(descriptor: Path): Path = descriptor.toAbsolutePath().resolveSibling("${nameOf(descriptor)}_files")
+
+        private fun nameOf(descriptor: Path) = descriptor.fileName?.toString()?.substringBeforeLast('.').orEmpty()
     }
 }
