@@ -64,7 +64,7 @@ internal fun longRasters(salt: Long): List<FrameCase> {
 internal fun wideMesh(salt: Long): FrameCase {
     val random = Random(salt)
     val side = WIDE + random.nextInt(WIDE / 4)
-    val corners = List(WIDE) {
+    val corners = List(MANY_TRIANGLES) {
         val size = 1 + random.nextInt(if (random.nextInt(8) == 0) WIDE / 8 else SHORT)
         val z = random.nextInt(DEPTHS) / DEPTHS.toFloat()
         triangle(random.nextInt(side - size + 1), random.nextInt(side - size + 1), size, z)
@@ -74,6 +74,9 @@ internal fun wideMesh(salt: Long): FrameCase {
 
 /** More than the largest side of a tile. */
 private const val WIDE = 520
+
+/** Few enough for a renderer that looks at each of them at each sample. */
+private const val MANY_TRIANGLES = 130
 private const val SHORT = 8
 private val LENGTHS = List(8) { 1024 shl it }
 private const val DEPTHS = 16
