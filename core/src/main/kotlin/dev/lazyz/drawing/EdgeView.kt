@@ -20,7 +20,9 @@ internal class EdgeView(
 ) {
     private val places = DoubleArray(4 * model.pointCount)
     private val grid: FaceGrid
-    private val planes: List<PolygonPlane?>
+
+    /** By polygon of the model: what it hides with; null if it hides nothing. */
+    private val polygons: List<HidingPolygon?>
 
     /** The parts of the edges that are visible. */
     val visible: Pieces = Pieces()
@@ -35,8 +37,8 @@ internal class EdgeView(
             space.place(p[at].toDouble(), p[at + 1].toDouble(), p[at + 2].toDouble(), places, 4 * point)
         }
         grid = FaceGrid(space, model, facing, places, margin)
-        planes = model.polygons.mapIndexed { i, polygon ->
-            if (facing.isHiding(model.triangleCount + i)) PolygonPlane.of(polygon, places) else null
+        polygons = model.polygons.mapIndexed { i, polygon ->
+            if (facing.isHiding(model.triangleCount + i)) HidingPolygon.of(polygon, places, space) else null
         }
     }
 
@@ -90,10 +92,7 @@ internal class EdgeView(
             ) { face ->
                 parts.behindTriangle(model.corners[3 * face], model.corners[3 * face + 1], model.corners[3 * face + 2])
             }
-            for (i in planes.indices) {
-                val plane = planes[i] ?: continue
-                parts.behindPolygon(model.polygons[i], plane)
-            }
+            for (polygon in polygons) if (polygon != null) parts.behindPolygon(polygon)
 
             // What is not hidden is visible
             val isDrawn = facing.isDrawn(edge)
@@ -126,7 +125,7 @@ internal class EdgeView(
 
         private fun clip(start: Int, end: Int) {
             part.begin()
-            part.keepPositive(distance(start) - space.near, distance(end) - space.near)
+            part.keepPositive(beyondNear(start), beyondNear(end))
             part.keepPositive(space.far - distance(start), space.far - distance(end))
             part.keepPositive(inside(start, 0, 1.0, margin), inside(end, 0, 1.0, margin))
             part.keepPositive(inside(start, 1, 1.0, margin), inside(end, 1, 1.0, margin))
@@ -135,6 +134,8 @@ internal class EdgeView(
             part.keepPositive(inside(start, 0, -1.0, right), inside(end, 0, -1.0, right))
             part.keepPositive(inside(start, 1, -1.0, bottom), inside(end, 1, -1.0, bottom))
         }
+
+        private fun beyondNear(point: Int) = space.beyondNear(places[4 * point + 2], places[4 * point + 3])
 
         private fun distance(point: Int) = space.distance(places[4 * point + 2], places[4 * point + 3])
 

@@ -8,7 +8,9 @@ import dev.lazyz.FillRule
  *
  * A point is hidden by a triangle if the ray from the camera meets the triangle before it. In [ViewSpace] these are
  * four conditions, each linear along the edge: it is inside three planes through the camera, and behind that of the
- * triangle. So the hidden part is an interval, exact up to the rounding of double precision, at any resolution.
+ * triangle. So the hidden part is an interval, exact up to the rounding of double precision, at any resolution. What is
+ * nearer than the near plane is not drawn and hides nothing: for triangles of which a part is, this is a fifth
+ * condition.
  *
  * Faces of which the edge is a side do not hide it. If a face has one end of the edge as a vertex, the distance of that
  * end from the face is 0 by definition, and not what rounding makes of it. Other faces hide only what is behind them by
@@ -115,7 +117,10 @@ internal class HiddenParts(
         part.keepPositive(b0 + SEAM, b1 + SEAM)
         part.keepPositive(c0 + SEAM, c1 + SEAM)
         if (part.isEmpty) return
-        keepBehind(a0 * ha + b0 * hb + c0 * hc - h0, a1 * ha + b1 * hb + c1 * hc - h1, hasStart, hasEnd)
+        val height0 = a0 * ha + b0 * hb + c0 * hc
+        val height1 = a1 * ha + b1 * hb + c1 * hc
+        keepBehind(height0 - h0, height1 - h1, hasStart, hasEnd)
+        if (nearest < space.near) part.keepPositive(space.beyondNear(w0, height0), space.beyondNear(w1, height1))
         if (part.high - part.low > LEAST_PART) intervals.add(part.low, part.high)
         isWhole = part.low == 0.0 && part.high == 1.0
     }
@@ -129,14 +134,14 @@ internal class HiddenParts(
         else -> part.keepPositive(gap0 - margin, gap1 - margin)
     }
 
-    /** Adds the parts that [face], which is in [plane], hides. */
-    fun behindPolygon(face: OutlinedFace, plane: PolygonPlane) {
+    /** Adds the parts that [face] hides. */
+    fun behindPolygon(face: HidingPolygon) {
         val hasStart = face.has(start)
         val hasEnd = face.has(end)
         if (hasStart && hasEnd) return
         part.begin()
-        val gap0 = plane.height(x0, y0, w0) - h0
-        val gap1 = plane.height(x1, y1, w1) - h1
+        val gap0 = face.height(x0, y0, w0) - h0
+        val gap1 = face.height(x1, y1, w1) - h1
         keepBehind(gap0, gap1, hasStart, hasEnd)
         if (part.isEmpty) return
         val from = part.low
@@ -145,7 +150,7 @@ internal class HiddenParts(
         // Between two crossings with the outline, all is inside or all is outside
         crossings.clear()
         for (contour in face.contours) {
-            for (i in contour.indices) addCrossing(contour[i], contour[(i + 1) % contour.size], from, until)
+            for (i in contour.indices step 4) addCrossing(contour, i, (i + 4) % contour.size, from, until)
         }
         crossings.add(until, until)
         crossings.join()
@@ -157,40 +162,39 @@ internal class HiddenParts(
         }
     }
 
-    /** Adds the place at which the edge crosses the side from [a] to [b], if it is between [from] and [until]. */
-    private fun addCrossing(a: Int, b: Int, from: Double, until: Double) {
-        val side0 = side(a, b, x0, y0, w0)
-        val side1 = side(a, b, x1, y1, w1)
+    /**
+     * Adds the place at which the edge crosses the side between the vertices of [contour] that are at the indices [a]
+     * and [b], if it is between [from] and [until].
+     */
+    private fun addCrossing(contour: DoubleArray, a: Int, b: Int, from: Double, until: Double) {
+        val side0 = side(contour, a, b, x0, y0, w0)
+        val side1 = side(contour, a, b, x1, y1, w1)
         if ((side0 < 0.0) == (side1 < 0.0)) return
         val t = side0 / (side0 - side1)
         if (t > from && t < until) crossings.add(t, t)
     }
 
-    /** Positive if a point is on one side of the plane through the camera and the points [a] and [b]. */
-    private fun side(a: Int, b: Int, x: Double, y: Double, w: Double): Double {
-        val p = places
-        return x * (p[4 * a + 1] * p[4 * b + 2] - p[4 * a + 2] * p[4 * b + 1]) +
-            y * (p[4 * a + 2] * p[4 * b] - p[4 * a] * p[4 * b + 2]) +
-            w * (p[4 * a] * p[4 * b + 1] - p[4 * a + 1] * p[4 * b])
-    }
+    /** Positive if a point is on one side of the plane through the camera and the vertices at [a] and [b] of [p]. */
+    private fun side(p: DoubleArray, a: Int, b: Int, x: Double, y: Double, w: Double): Double =
+        x * (p[a + 1] * p[b + 2] - p[a + 2] * p[b + 1]) +
+            y * (p[a + 2] * p[b] - p[a] * p[b + 2]) +
+            w * (p[a] * p[b + 1] - p[a + 1] * p[b])
 
     /** Whether the point [t] of the edge is inside [face] on the raster. */
-    private fun isInside(face: OutlinedFace, t: Double): Boolean {
+    private fun isInside(face: HidingPolygon, t: Double): Boolean {
         val w = w0 + (w1 - w0) * t
         val x = (x0 + (x1 - x0) * t) / w
         val y = (y0 + (y1 - y0) * t) / w
         var sum = 0
         var count = 0
-        val p = places
-        for (contour in face.contours) {
-            for (i in contour.indices) {
-                val a = contour[i]
-                val b = contour[(i + 1) % contour.size]
-                val ya = p[4 * a + 1] / p[4 * a + 2]
-                val yb = p[4 * b + 1] / p[4 * b + 2]
+        for (p in face.contours) {
+            for (a in p.indices step 4) {
+                val b = (a + 4) % p.size
+                val ya = p[a + 1] / p[a + 2]
+                val yb = p[b + 1] / p[b + 2]
                 if ((ya <= y) == (yb <= y)) continue
-                val xa = p[4 * a] / p[4 * a + 2]
-                val xb = p[4 * b] / p[4 * b + 2]
+                val xa = p[a] / p[a + 2]
+                val xb = p[b] / p[b + 2]
                 if (xa + (y - ya) / (yb - ya) * (xb - xa) > x) continue
                 sum += if (ya < yb) 1 else -1
                 count++

@@ -52,4 +52,10 @@ internal class ViewSpace(val raster: Raster, private val camera: Camera) {
 
     /** Returns the distance of a point with these [w] and [h] along the line of sight. */
     fun distance(w: Double, h: Double): Double = if (isPerspective) w else -h
+
+    /**
+     * Returns a number that is not negative if a point with these [w] and [h] is at or beyond the near plane. It is
+     * linear, and for the points of a scene it is their distance from that plane.
+     */
+    fun beyondNear(w: Double, h: Double): Double = if (isPerspective) w - near * h else -h - near * w
 }

@@ -238,6 +238,54 @@ class EdgeDrawingTest {
         assertEquals(listOf(87..87), image.blackColumns(49).filter { it.last > 20 })
     }
 
+    /** The cover begins between the camera and the near plane, and ends beyond it. */
+    @Test
+    fun rule_10_2_whatIsInFrontOfTheNearPlaneHidesNothing() {
+        val back = square(-1.8f, -1.5f, 1.8f, 0.02f, -1f)
+        val eye = Vector3d(0.0, 0.0, 10.0)
+        val angle = 2 * StrictMath.toDegrees(StrictMath.atan(0.2))
+        val perspective = Camera.perspective(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), angle, 1.0, 20.0)
+
+        // The cover reaches from column 25 to 75, and passes through the near plane in column 50. Under perspective, it
+        // passes through that plane where x is 0.04 and the raster is 0.4 wide, in column 60
+        val views = listOf(
+            Triple(front, Pair(-1.0, 1.0), listOf(4..49, 74..94)),
+            Triple(perspective, Pair(-0.06, 0.14), listOf(9..59, 73..90)),
+        )
+        for ((camera, ends, columns) in views) {
+            for (isPolygon in listOf(false, true)) {
+                fun cover(nearer: Double, farther: Double) = listOf(
+                    Vertex(ends.first, -0.4, nearer), Vertex(ends.second, -0.4, farther),
+                    Vertex(ends.second, 0.4, farther), Vertex(ends.first, 0.4, nearer),
+                ).let { if (isPolygon) Polygon(listOf(it), plain) else mesh(it) }
+                val row = render(listOf(back, cover(9.5, 8.5)), EdgeStyle(), camera).blackColumns(49)
+                assertEquals(columns, row) { "$camera, $isPolygon" }
+
+                // All of it is in front of the near plane
+                val image = render(listOf(back, cover(9.5, 9.25)), EdgeStyle(), camera)
+                assertArrayEquals(render(listOf(back), EdgeStyle(), camera).argb, image.argb) { "$camera, $isPolygon" }
+            }
+        }
+    }
+
+    private fun mesh(quad: List<Vertex>): Mesh = Mesh(
+        quad.flatMap { listOf(it.x.toFloat(), it.y.toFloat(), it.z.toFloat()) }.toFloatArray(),
+        intArrayOf(0, 1, 2, 0, 2, 3), plain,
+    )
+
+    /** A floor under the camera, and a box below it, of which a part is beside the floor. */
+    @Test
+    fun rule_10_2_aPolygonThatReachesBehindTheEyeHides() {
+        val floor = listOf(
+            Vertex(-20.0, 0.0, 10.0), Vertex(2.0, 0.0, 10.0), Vertex(2.0, 0.0, -40.0), Vertex(-20.0, 0.0, -40.0),
+        )
+        val eye = Vector3d(0.0, 1.0, 0.0)
+        val camera = Camera.perspective(eye, Vector3d(0.0, 0.0, -5.0), Vector3d(0.0, 1.0, 0.0), 60.0, 0.01, 100.0)
+        val box = Solids.box(-1f, -3f, -7f, 4f, -1f, -5f, plain)
+        val expected = render(listOf(mesh(floor), box), EdgeStyle(), camera)
+        assertArrayEquals(expected.argb, render(listOf(Polygon(listOf(floor), plain), box), EdgeStyle(), camera).argb)
+    }
+
     /** A part that stands on another one: the edges on the contact are on a surface that is not theirs. */
     @Test
     fun rule_10_2_facesThatTouchAnEdgeDoNotHideIt() {
