@@ -72,7 +72,7 @@ internal class FaceGrid(
         for (k in 0 until 3) {
             val at = 4 * model.corners[3 * face + k]
             val w = places[at + 2]
-            if (w < LEAST_W * space.far) isBeforeEye = false
+            if (space.isPerspective && w < LEAST_W * space.far) isBeforeEye = false
             val x = (places[at] / w - left) / width
             val y = (places[at + 1] / w - top) / height
             extent.x0 = minOf(extent.x0, x - ROUNDING)

@@ -407,13 +407,25 @@ class EdgeDrawingTest {
         val surfaces = listOf(Solids.sphere(24, 12), square(-3f, -0.2f, 1.5f, 0.2f, 0.3f))
         for (hidden in HiddenLines.entries) {
             val one = render(surfaces, EdgeStyle(hidden = hidden))
-            val thin: Image = assertTimeoutPreemptively(
-                Duration.ofSeconds(20),
-                ThrowingSupplier { render(surfaces, EdgeStyle(width = 1e-5, hidden = hidden)) },
-            )
+            val thin = inTime { render(surfaces, EdgeStyle(width = 1e-5, hidden = hidden)) }
             assertArrayEquals(one.argb, thin.argb) { "$hidden" }
         }
     }
+
+    /** Where w is always 1, a great distance of the far plane does not make it small. */
+    @Test
+    fun manyTrianglesBeforeADistantFarPlaneTakeLinearTime() {
+        val torus = Solids.torus(1.2, 0.5, 140, 100)
+        val (expected, image) = listOf(20.0, 4e9).map { far ->
+            val camera =
+                Camera.orthographic(Vector3d(3.0, 5.0, 7.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 4.0, 1.0, far)
+            inTime { render(listOf(torus), EdgeStyle(EdgeSet.ALL), camera) }
+        }
+        assertArrayEquals(expected.argb, image.argb)
+    }
+
+    private fun inTime(draw: () -> Image): Image =
+        assertTimeoutPreemptively(Duration.ofSeconds(15), ThrowingSupplier { draw() })
 
     @Test
     fun stylesAreChecked() {
