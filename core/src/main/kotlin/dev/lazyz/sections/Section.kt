@@ -79,7 +79,7 @@ public class Section @JvmOverloads constructor(
 
     private fun cut(polygon: Polygon, plane: SectionPlane): Polygon? {
         if (polygon.contours.all { contour -> contour.all { plane.height(it.x, it.y, it.z) <= 0.0 } }) return polygon
-        val contours = polygon.contours.map { ContourCut.of(it, plane) }.filter { it.size >= 3 }
+        val contours = ContourCut.of(polygon.contours, polygon.fillRule, plane).filter { it.size >= 3 }
         return if (contours.isEmpty()) null else Polygon(contours, polygon.material, polygon.fillRule)
     }
 
