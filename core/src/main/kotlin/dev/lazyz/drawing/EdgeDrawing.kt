@@ -31,7 +31,7 @@ import dev.lazyz.world.surface.Surface
  * The number of primitives depends on the camera. The list of surfaces is not copied; do not change it. Immutable and
  * thread safe if its surfaces are.
  *
- * Cost: linear in the number of triangles and edges, as long as few triangles are long and thin on the raster.
+ * Cost: linear in the number of faces and edges, as long as few faces are long and thin on the raster.
  * Neighbours of triangles are found once, and visibility each time the scene is set up.
  *
  * @param surfaces the surfaces of the scene

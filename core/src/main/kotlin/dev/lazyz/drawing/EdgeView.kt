@@ -36,10 +36,10 @@ internal class EdgeView(
             val at = 3 * point
             space.place(p[at].toDouble(), p[at + 1].toDouble(), p[at + 2].toDouble(), places, 4 * point)
         }
-        grid = FaceGrid(space, model, facing, places, margin)
         polygons = model.polygons.mapIndexed { i, polygon ->
             if (facing.isHiding(model.triangleCount + i)) HidingPolygon.of(polygon, places, space) else null
         }
+        grid = FaceGrid(space, model, facing, places, polygons, margin)
     }
 
     /**
@@ -73,6 +73,9 @@ internal class EdgeView(
         private val part = KeptPart()
         private var isFeature = false
 
+        /** By polygon: the last edge that was compared with it. A polygon can have many sides, so once is enough. */
+        private val lastEdge = IntArray(polygons.size) { -1 }
+
         fun divide(edge: Int) {
             isFeature = isAll || model.isFeature(edge)
             val start = model.end(edge, 0)
@@ -89,10 +92,7 @@ internal class EdgeView(
             grid.forEachAlong(
                 mix(start, end, 0, low) / w0, mix(start, end, 1, low) / w0,
                 mix(start, end, 0, high) / w1, mix(start, end, 1, high) / w1,
-            ) { face ->
-                parts.behindTriangle(model.corners[3 * face], model.corners[3 * face + 1], model.corners[3 * face + 2])
-            }
-            for (polygon in polygons) if (polygon != null) parts.behindPolygon(polygon)
+            ) { face -> addHidden(edge, face) }
 
             // What is not hidden is visible
             val isDrawn = facing.isDrawn(edge)
@@ -104,6 +104,18 @@ internal class EdgeView(
                 at = gapUntil
             }
             add(hidden, start, end, at, high)
+        }
+
+        /** Adds what [face] hides of [edge]. */
+        private fun addHidden(edge: Int, face: Int) {
+            if (face < model.triangleCount) {
+                parts.behindTriangle(model.corners[3 * face], model.corners[3 * face + 1], model.corners[3 * face + 2])
+                return
+            }
+            val number = face - model.triangleCount
+            if (lastEdge[number] == edge) return
+            lastEdge[number] = edge
+            polygons[number]?.let { parts.behindPolygon(it) }
         }
 
         private fun add(pieces: Pieces, start: Int, end: Int, from: Double, until: Double) {

@@ -1,11 +1,12 @@
 package dev.lazyz.drawing
 
 /**
- * The triangles that can hide something, by their place on the raster: a pyramid of grids, each with twice as many
- * cells a side as the one before. A triangle is in the finest grid of which a cell is at least as large as the
- * triangle, so it is in at most four cells, and memory is linear in the number of triangles. Immutable and thread safe.
+ * The faces that can hide something, by their place on the raster: a pyramid of grids, each with twice as many cells a
+ * side as the one before. A face is in the finest grid of which a cell is at least as large as the face, so it is in at
+ * most four cells, and memory is linear in the number of faces. Immutable and thread safe.
  *
  * @param places four numbers for each point, see [ViewSpace.place]
+ * @param polygons by polygon of the model: what it hides with; null if it hides nothing
  * @param margin how far the grid extends beyond the raster, pixels
  */
 internal class FaceGrid(
@@ -13,6 +14,7 @@ internal class FaceGrid(
     private val model: EdgeModel,
     facing: Facing,
     private val places: DoubleArray,
+    private val polygons: List<HidingPolygon?>,
     margin: Double,
 ) {
     private val left = -margin
@@ -21,17 +23,17 @@ internal class FaceGrid(
     private val height = space.raster.height + 2 * margin
     private val levels: Int
 
-    /** By cell of all levels: the index of its first triangle in [faces]. */
+    /** By cell of all levels: the index of its first face in [faces]. */
     private val starts: IntArray
     private val faces: IntArray
 
-    // Bounds of the current triangle or line on the raster, as parts of the grid: 0..1
+    // Bounds of the current face on the raster, as parts of the grid: 0..1
     private class Extent(var x0: Double = 0.0, var y0: Double = 0.0, var x1: Double = 0.0, var y1: Double = 0.0)
 
     init {
-        // About as many cells as triangles in the finest grid
+        // About as many cells as faces in the finest grid
         var finest = 0
-        while (finest < FINEST && (1L shl 2 * finest) < model.triangleCount) finest++
+        while (finest < FINEST && (1L shl 2 * finest) < model.faceCount) finest++
         levels = finest + 1
         val cells = first(levels)
         starts = IntArray(cells + 2)
@@ -46,7 +48,7 @@ internal class FaceGrid(
     private fun first(level: Int): Int = ((1L shl 2 * level) / 3).toInt()
 
     private inline fun forEachCell(facing: Facing, extent: Extent, action: (cell: Int, face: Int) -> Unit) {
-        for (face in 0 until model.triangleCount) {
+        for (face in 0 until model.faceCount) {
             if (!facing.isHiding(face) || !measure(face, extent)) continue
             val size = maxOf(extent.x1 - extent.x0, extent.y1 - extent.y0)
             var level = 0
@@ -68,31 +70,37 @@ internal class FaceGrid(
         extent.y0 = Double.POSITIVE_INFINITY
         extent.x1 = Double.NEGATIVE_INFINITY
         extent.y1 = Double.NEGATIVE_INFINITY
-        var isBeforeEye = true
-        for (k in 0 until 3) {
-            val at = 4 * model.corners[3 * face + k]
-            val w = places[at + 2]
-            if (space.isPerspective && w < LEAST_W * space.far) isBeforeEye = false
-            val x = (places[at] / w - left) / width
-            val y = (places[at + 1] / w - top) / height
-            extent.x0 = minOf(extent.x0, x - ROUNDING)
-            extent.x1 = maxOf(extent.x1, x + ROUNDING)
-            extent.y0 = minOf(extent.y0, y - ROUNDING)
-            extent.y1 = maxOf(extent.y1, y + ROUNDING)
-        }
-        if (!isBeforeEye) {
-            // It reaches behind the camera, and can be anywhere
-            extent.x0 = 0.0
-            extent.y0 = 0.0
-            extent.x1 = 1.0
-            extent.y1 = 1.0
+        if (face < model.triangleCount) {
+            for (k in 0 until 3) extend(extent, places, 4 * model.corners[3 * face + k])
+        } else {
+            val polygon = polygons[face - model.triangleCount] ?: return false
+            for (contour in polygon.contours) for (at in contour.indices step 4) extend(extent, contour, at)
         }
         return extent.x0 <= 1.0 && extent.y0 <= 1.0 && extent.x1 >= 0.0 && extent.y1 >= 0.0
     }
 
+    /** Extends [extent] to the vertex with the numbers at index [at] of [p]. */
+    private fun extend(extent: Extent, p: DoubleArray, at: Int) {
+        val w = p[at + 2]
+        if (space.isPerspective && w < LEAST_W * space.far) {
+            // The face reaches behind the camera, and can be anywhere
+            extent.x0 = Double.NEGATIVE_INFINITY
+            extent.y0 = Double.NEGATIVE_INFINITY
+            extent.x1 = Double.POSITIVE_INFINITY
+            extent.y1 = Double.POSITIVE_INFINITY
+            return
+        }
+        val x = (p[at] / w - left) / width
+        val y = (p[at + 1] / w - top) / height
+        extent.x0 = minOf(extent.x0, x - ROUNDING)
+        extent.x1 = maxOf(extent.x1, x + ROUNDING)
+        extent.y0 = minOf(extent.y0, y - ROUNDING)
+        extent.y1 = maxOf(extent.y1, y + ROUNDING)
+    }
+
     /**
-     * Calls [action] for each triangle that may cover a place on the line from ([x0], [y0]) to ([x1], [y1]), in pixels;
-     * possibly several times for the same triangle.
+     * Calls [action] for each face that may cover a place on the line from ([x0], [y0]) to ([x1], [y1]), in pixels;
+     * possibly several times for the same face.
      */
     inline fun forEachAlong(x0: Double, y0: Double, x1: Double, y1: Double, action: (face: Int) -> Unit) {
         val fromX = (x0 - left) / width

@@ -424,6 +424,17 @@ class EdgeDrawingTest {
         assertArrayEquals(expected.argb, image.argb)
     }
 
+    @Test
+    fun manyPolygonsTakeLinearTime() {
+        val random = Random(12)
+        val squares = List(12_000) {
+            val (x, y, z) = List(3) { random.nextDouble() * 3.6 - 1.8 }
+            val contour = listOf(Vertex(x, y, z), Vertex(x + 0.04, y, z), Vertex(x + 0.04, y + 0.04, z))
+            Polygon(listOf(contour + Vertex(x, y + 0.04, z)), plain)
+        }
+        assertTrue(inTime { render(squares, EdgeStyle(), side = 200) }.visible > 0)
+    }
+
     private fun inTime(draw: () -> Image): Image =
         assertTimeoutPreemptively(Duration.ofSeconds(15), ThrowingSupplier { draw() })
 
