@@ -19,9 +19,10 @@ import dev.lazyz.world.surface.Surface
  * What is hidden is computed when the camera is known, in double precision, from the triangles and not from pixels: a
  * line ends exactly where its middle goes behind the outline of a surface. The visible parts are then drawn in front of
  * all surfaces, at the depth of the near plane, with their full width. So no line sinks into its own faces, and none
- * shines through. The outlines of all polygons are drawn, too.
+ * shines through. The outlines of polygons are drawn, too.
  *
- * Meshes and polygons hide lines unless their material is translucent. Samples that a mask removes do hide them.
+ * Meshes and polygons hide lines unless their material is translucent. Samples that a mask removes do hide them. What is
+ * not drawn, because it shows its back or is nearer than the near plane, does not.
  * Spheres, points, lines and custom surfaces do not hide lines, and have no edges. A surface that touches an edge, up
  * to 2^-17 of the size of the scene, does not hide it.
  *

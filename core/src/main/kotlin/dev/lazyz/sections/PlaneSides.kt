@@ -79,8 +79,8 @@ internal class PlaneSides(private val cut: List<List<ContourCut.Corner>>, privat
         }
         val chains = parts.size
         addSides(parts)
-        val starting = parts.groupBy { it.from }
-        val ending = parts.groupBy { it.until }
+        val starting = parts.groupBy { it.from }.mapValues { ArrayDeque(it.value) }
+        val ending = parts.groupBy { it.until }.mapValues { ArrayDeque(it.value) }
         for (i in 0 until chains) {
             var part = parts[i]
             if (part.isUsed) continue
@@ -93,13 +93,19 @@ internal class PlaneSides(private val cut: List<List<ContourCut.Corner>>, privat
                 if (at == parts[i].from) break
 
                 // Only with the even-odd rule is there not always one that begins here
-                val next = starting[at]?.find { !it.isUsed }
+                val next = starting[at]?.let(::firstUnused)
                 isReversed = next == null
-                part = next ?: ending.getValue(at).first { !it.isUsed }
+                part = next ?: firstUnused(ending.getValue(at))!!
             }
             contours += contour
         }
         return contours
+    }
+
+    /** Returns the first of [parts] that is not used; removes those before it. */
+    private fun firstUnused(parts: ArrayDeque<Part>): Part? {
+        while (parts.firstOrNull()?.isUsed == true) parts.removeFirst()
+        return parts.firstOrNull()
     }
 
     /** Adds the parts of [contour] between two corners in the plane, without sides in it; [start] is such a corner. */

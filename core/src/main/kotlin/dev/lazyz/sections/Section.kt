@@ -34,7 +34,7 @@ import org.joml.Vector3dc
  *
  * The list is not copied; do not change it. Immutable and thread safe.
  *
- * @property planes the planes; those of an earlier cut do not hinder a later one
+ * @property planes the planes; those of an earlier cut do not hinder a later one, and equal ones count once
  * @param capMaterial returns the material of a cap from that of its mesh; by default [darkened]
  */
 public class Section @JvmOverloads constructor(

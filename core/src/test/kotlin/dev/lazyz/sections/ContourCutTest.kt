@@ -34,7 +34,8 @@ class ContourCutTest {
     private fun isInside(contours: List<List<Vertex>>, rule: FillRule, x: Double, y: Double): Boolean =
         windings(contours, x, y).let { if (rule == FillRule.EVEN_ODD) it.size % 2 != 0 else it.sum() != 0 }
 
-    private fun area(contours: List<List<Vertex>>): Double = sides(contours).sumOf { (a, b) -> a.x * b.y - b.x * a.y } / 2
+    private fun area(contours: List<List<Vertex>>): Double =
+        sides(contours).sumOf { (a, b) -> a.x * b.y - b.x * a.y } / 2
 
     /** A pipe along the y axis, cut across and then lengthwise: no side leads over the bore. */
     @Test
