@@ -1,10 +1,13 @@
 package dev.lazyz.cli
 
+import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Version
 import java.io.BufferedOutputStream
 import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.OutputStream
+import java.io.UncheckedIOException
+import java.nio.file.AccessDeniedException
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
@@ -68,6 +71,13 @@ class FailureTest {
         }
         assertEquals(listOf("old.png", "services"), folder.listDirectoryEntries().map { it.name }.sorted())
         assertEquals("old", old.readText())
+    }
+
+    /** Java reports some failures of files in the middle of a stream in this form. */
+    @Test
+    fun aFileThatFailsInTheMiddleOfAStreamIsAMistake() {
+        val cause = AccessDeniedException("a/b")
+        assertEquals("a/b: permission denied", Failure.mistake(UncheckedIOException(cause)))
     }
 
     @Test

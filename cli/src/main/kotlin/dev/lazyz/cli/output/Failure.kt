@@ -6,6 +6,7 @@ import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.output.ParameterFormatter
 import dev.lazyz.scenes.SceneFormatException
 import java.io.IOException
+import java.io.UncheckedIOException
 import java.nio.file.AccessDeniedException
 import java.nio.file.FileSystemException
 import java.nio.file.InvalidPathException
@@ -24,6 +25,7 @@ internal object Failure {
         is Mistake, is SceneFormatException -> failure.message?.lines()?.joinToString("\n", transform = ::printable)
         is FileSystemException -> describe(failure)
         is OutOfMemoryError -> outOfMemory(failure)
+        is UncheckedIOException -> failure.cause?.let(::mistake)
         is IOException -> failure.message ?: failure.javaClass.simpleName
         is InvalidPathException -> "not a file name: ${failure.input} (${failure.reason}; is the locale set to UTF-8?)"
         is ServiceConfigurationError -> "a renderer on the class path cannot be loaded: ${failure.message}"

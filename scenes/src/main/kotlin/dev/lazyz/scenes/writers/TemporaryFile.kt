@@ -3,10 +3,13 @@ package dev.lazyz.scenes.writers
 import java.io.IOException
 import java.nio.channels.FileChannel
 import java.nio.channels.OverlappingFileLockException
+import java.nio.file.FileVisitResult
 import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.SimpleFileVisitor
 import java.nio.file.StandardOpenOption.CREATE_NEW
 import java.nio.file.StandardOpenOption.WRITE
+import java.nio.file.attribute.BasicFileAttributes
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ThreadLocalRandom
 
@@ -131,9 +134,21 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
 
         /** Deletes [folder] and all that is in it. Links are deleted, and not what they name. */
         fun deleteTree(folder: Path) {
-            Files.walk(folder).use { all -> all.sorted(Comparator.reverseOrder()).forEach(Files::deleteIfExists) }
+            Files.walkFileTree(folder, Deletion)
         }
 
         private fun folderOf(path: Path): Path = path.resolveSibling("${path.fileName}$FOLDER_SUFFIX")
+    }
+
+    /** Deletes what is in a folder, and then the folder. */
+    private object Deletion : SimpleFileVisitor<Path>() {
+        override fun visitFile(file: Path, attributes: BasicFileAttributes): FileVisitResult = deleted(file)
+
+        override fun postVisitDirectory(folder: Path, failure: IOException?): FileVisitResult = deleted(folder)
+
+        private fun deleted(path: Path): FileVisitResult {
+            Files.deleteIfExists(path)
+            return FileVisitResult.CONTINUE
+        }
     }
 }

@@ -32,7 +32,7 @@ internal class PyramidFiles(private val descriptor: Path) {
         val parent = descriptor.toAbsolutePath().parent
         if (!Files.isDirectory(parent)) throw refused("there is no folder $parent; create it or choose another")
         folder = if (Files.exists(place)) place.toRealPath() else place
-        if (Files.exists(folder) && !isPyramid(folder)) {
+        if (Files.exists(folder) && !isPyramid()) {
             throw refused("$place exists and has other files than tiles; move it away, or choose another name")
         }
     }
@@ -56,13 +56,17 @@ internal class PyramidFiles(private val descriptor: Path) {
     fun refused(reason: String) = IOException("cannot write $descriptor: $reason")
 
     /** Whether [folder] has nothing but levels of tiles. */
-    private fun isPyramid(folder: Path): Boolean = Files.isDirectory(folder) && Files.walk(folder, 2).use { all ->
-        all.allMatch {
-            when (folder.relativize(it).nameCount) {
-                1 -> it == folder || (LEVEL.matches("${it.fileName}") && Files.isDirectory(it))
-                else -> TILE.matches("${it.fileName}") && Files.isRegularFile(it)
-            }
+    private fun isPyramid(): Boolean = Files.isDirectory(folder) && all(folder) { level ->
+        LEVEL.matches("${level.fileName}") && Files.isDirectory(level) && all(level) { tile ->
+            TILE.matches("${tile.fileName}") && Files.isRegularFile(tile)
         }
+    }
+
+    private fun all(folder: Path, test: (Path) -> Boolean): Boolean {
+        if (!Files.isReadable(folder)) {
+            throw refused("no permission to read $folder; permit it, or choose another name")
+        }
+        return Files.list(folder).use { it.allMatch(test) }
     }
 
     private fun text(width: Int, height: Int) =

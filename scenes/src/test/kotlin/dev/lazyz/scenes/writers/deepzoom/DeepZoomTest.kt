@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.assertThrows
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
@@ -119,6 +120,19 @@ class DeepZoomTest {
             assertEquals(listOf(0, 0, 0, 508, 508, 1270), starts)
             assertEquals(content(other.parent), content(folder).filterKeys { !it.startsWith("other") })
             Files.walk(folder).use { all -> all.filter { it.name == "a.dzi" }.forEach(Files::delete) }
+        }
+    }
+
+    @Test
+    fun aFolderThatCannotBeReadIsNotReplaced() {
+        val level = tiles.resolve("0").createDirectories()
+        assumeTrue(level.toFile().setReadable(false) && !Files.isReadable(level), "all is permitted to this user")
+        try {
+            val refused = assertThrows<IOException> { DeepZoomFiles.write(path, 9, 9) { _ -> error("must not begin") } }
+            val reason = "no permission to read ${level.toRealPath()}; permit it, or choose another name"
+            assertEquals("cannot write $path: $reason", refused.message)
+        } finally {
+            level.toFile().setReadable(true)
         }
     }
 
