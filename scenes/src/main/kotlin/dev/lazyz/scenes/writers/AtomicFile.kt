@@ -54,7 +54,7 @@ internal object AtomicFile {
 
     /** Checks that the file can be created, and returns its path with symbolic links resolved. */
     private fun place(path: Path): Path {
-        val absolute = linked(path)
+        val absolute = resolved(path)
         if (Files.isDirectory(absolute)) {
             throw IOException("cannot write $path: it is a folder; name a file in it")
         }
@@ -63,6 +63,12 @@ internal object AtomicFile {
         if (!Files.isDirectory(folder)) {
             throw IOException("cannot write $path: there is no folder $folder; create it or choose another")
         }
+        return absolute
+    }
+
+    /** Returns the absolute path of what [path] names, which may not exist. Links are followed. */
+    fun resolved(path: Path): Path {
+        val absolute = linked(path)
         return if (Files.exists(absolute)) absolute.toRealPath() else absolute
     }
 

@@ -59,8 +59,9 @@ public object DeepZoomFiles {
      * The files are the same, byte for byte, as if there had been no interruption.
      *
      * Until they are complete, tiles are in the folder `NAME_files.partial`, which stays if the call fails or the
-     * process ends, for whatever reason, even if it is killed. The next call reads the finished rows of tiles of the
-     * largest level, which takes less time than rendering and compressing them, and has the rest rendered.
+     * process ends, for whatever reason, even if it is killed. If `NAME_files` is a link, it is beside the folder that
+     * the link names, with the name of that folder. The next call reads the finished rows of tiles of the largest
+     * level, which takes less time than rendering and compressing them, and has the rest rendered.
      *
      * @param path the descriptor
      * @param width number of columns
@@ -116,9 +117,14 @@ public object DeepZoomFiles {
         PyramidFiles(path).publish(tiles, width, height)
     }
 
-    /** Returns where the folder of the tiles is, or will be, if the descriptor is [path]. */
+    /**
+     * Returns where the folder of the tiles is, or will be, if the descriptor is [path]. Links are followed.
+     *
+     * @throws IOException if a link cannot be followed
+     */
     @JvmStatic
-    public fun tiles(path: Path): Path = PyramidFiles.place(path)
+    @Throws(IOException::class)
+    public fun tiles(path: Path): Path = PyramidFiles.tiles(path)
 
     private inline fun <R> writing(path: Path, block: (PyramidFiles) -> R): R =
         AtomicFile.rendering { AtomicFile.explaining(path) { block(PyramidFiles(path)) } }

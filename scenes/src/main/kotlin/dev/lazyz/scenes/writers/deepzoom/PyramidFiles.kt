@@ -15,13 +15,12 @@ import java.nio.file.Path
  */
 internal class PyramidFiles(private val descriptor: Path) {
     private val name = nameOf(descriptor)
-    private val place = place(descriptor)
 
-    /** The folder of the tiles. */
-    val folder: Path
+    /** The folder of the tiles. It may exist, and no part of its path is a link then. */
+    val folder: Path = tiles(descriptor)
 
-    /** The folder in which tiles are collected that a later run may complete. */
-    val partial: Path = descriptor.resolveSibling("${name}_files.partial")
+    /** The folder in which tiles are collected that a later run may complete: on the same disk as [folder]. */
+    val partial: Path = folder.resolveSibling("${folder.fileName}.partial")
 
     init {
         require(descriptor.toString().endsWith(".${DeepZoomFiles.EXTENSION}", ignoreCase = true)) {
@@ -31,9 +30,12 @@ internal class PyramidFiles(private val descriptor: Path) {
         if (Files.isDirectory(descriptor)) throw refused("it is a folder; name a file in it")
         val parent = descriptor.toAbsolutePath().parent
         if (!Files.isDirectory(parent)) throw refused("there is no folder $parent; create it or choose another")
-        folder = if (Files.exists(place)) place.toRealPath() else place
         if (Files.exists(folder) && !isPyramid()) {
-            throw refused("$place exists and has other files than tiles; move it away, or choose another name")
+            throw refused("$folder exists and has other files than tiles; move it away, or choose another name")
+        }
+        if (!Files.isDirectory(folder.parent)) {
+            val link = place(descriptor)
+            throw refused("$link is a link, and there is no folder ${folder.parent}; create it, or remove the link")
         }
     }
 
@@ -83,8 +85,10 @@ internal class PyramidFiles(private val descriptor: Path) {
         private val LEVEL = Regex("[0-9]{1,2}")
         private val TILE = Regex("[0-9]+_[0-9]+\\.(png|jpe?g|webp)")
 
-        /** Returns the place of the tiles, an absolute path: a folder, a link to one, or nothing. */
-        fun place(descriptor: Path): Path = descriptor.toAbsolutePath().resolveSibling("${nameOf(descriptor)}_files")
+        /** Returns the folder of the tiles, which may exist. Links are followed. */
+        fun tiles(descriptor: Path): Path = AtomicFile.resolved(place(descriptor))
+
+        private fun place(descriptor: Path) = descriptor.toAbsolutePath().resolveSibling("${nameOf(descriptor)}_files")
 
         private fun nameOf(descriptor: Path) = descriptor.fileName?.toString()?.substringBeforeLast('.').orEmpty()
     }

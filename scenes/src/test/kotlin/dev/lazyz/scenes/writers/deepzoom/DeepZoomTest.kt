@@ -11,6 +11,7 @@ import javax.imageio.ImageIO
 import kotlin.io.path.createDirectories
 import kotlin.io.path.createSymbolicLinkPointingTo
 import kotlin.io.path.exists
+import kotlin.io.path.isSymbolicLink
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readText
@@ -135,6 +136,39 @@ class DeepZoomTest {
             level.toFile().setReadable(true)
         }
     }
+
+    /** The folder may be on another disk, and folders cannot be moved to another disk. */
+    @Test
+    fun aPartialPyramidIsBesideTheFolderThatALinkNames() {
+        val disk = folder.resolve("disk").createDirectories()
+        disk.resolve("real").createDirectories()
+        tiles.createSymbolicLinkPointingTo(Path.of("disk/real"))
+        resume(300, 600, AlphaChannel.DROP, 500, ArrayList())
+        assertEquals(setOf("real", "real.partial"), names(disk))
+        resume(300, 600, AlphaChannel.DROP, 600, ArrayList())
+        assertEquals(setOf("real"), names(disk))
+        assertEquals(setOf("a.dzi", "a_files", "disk"), names(folder))
+        assertTrue(tiles.isSymbolicLink())
+        requireLevels(300, 600, AlphaChannel.DROP)
+    }
+
+    @Test
+    fun theFolderThatALinkNamesIsCreated() {
+        val disk = folder.resolve("disk")
+        tiles.createSymbolicLinkPointingTo(Path.of("disk/real"))
+        val refused = assertThrows<IOException> { DeepZoomFiles.write(path, 9, 9) { _ -> error("must not begin") } }
+        val reason = "$tiles is a link, and there is no folder $disk; create it, or remove the link"
+        assertEquals("cannot write $path: $reason", refused.message)
+        disk.createDirectories()
+        for (side in listOf(20, 40)) {
+            DeepZoomFiles.write(path, side, 90) { sink -> send(sink, side, 90) }
+            requireLevels(side, 90, AlphaChannel.KEEP)
+            assertEquals(setOf("real"), names(disk))
+            assertTrue(tiles.isSymbolicLink())
+        }
+    }
+
+    private fun names(folder: Path): Set<String> = folder.listDirectoryEntries().map { it.name }.toSet()
 
     private fun resume(width: Int, height: Int, alpha: AlphaChannel, stop: Int, starts: MutableList<Int>) {
         val resuming = {
