@@ -53,7 +53,7 @@ internal object AtomicFile {
     }
 
     /** Checks that the file can be created, and returns its path with symbolic links resolved. */
-    private fun place(path: Path): Path {
+    fun place(path: Path): Path {
         val absolute = resolved(path)
         if (Files.isDirectory(absolute)) {
             throw IOException("cannot write $path: it is a folder; name a file in it")

@@ -10,7 +10,8 @@ import java.nio.file.Path
 
 /**
  * Writes Deep Zoom pyramids: a descriptor, `NAME.dzi`, and a folder of tiles beside it, `NAME_files`. Viewers such as
- * OpenSeadragon load only the tiles that they show, so a picture of any size can be looked at in a browser.
+ * OpenSeadragon load only the tiles that they show, so a picture of any size can be looked at in a browser. If the
+ * descriptor is a link, the tiles are beside the file that it names.
  *
  * Tiles are collected in a temporary folder beside their place, and get their name when they are complete; then the
  * descriptor is written. So a failure, or a signal that ends the process, leaves no partial files. An old pyramid of

@@ -8,14 +8,13 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The files of a pyramid: the descriptor, `NAME.dzi`, and the folder of its tiles beside it, `NAME_files`.
+ * The files of a pyramid: the descriptor, `NAME.dzi`, and the folder of its tiles beside it, `NAME_files`. If the
+ * descriptor is a link, they are those of the descriptor that it names.
  *
  * @throws IllegalArgumentException if the name of the descriptor does not end in `.dzi`
  * @throws IOException if they cannot be written, or something else has the name of the folder
  */
 internal class PyramidFiles(private val descriptor: Path) {
-    private val name = nameOf(descriptor)
-
     /** The folder of the tiles. It may exist, and no part of its path is a link then. */
     val folder: Path = tiles(descriptor)
 
@@ -23,18 +22,15 @@ internal class PyramidFiles(private val descriptor: Path) {
     val partial: Path = folder.resolveSibling("${folder.fileName}.partial")
 
     init {
-        require(descriptor.toString().endsWith(".${DeepZoomFiles.EXTENSION}", ignoreCase = true)) {
-            "cannot write $descriptor: the name of a Deep Zoom pyramid must end in .${DeepZoomFiles.EXTENSION}"
-        }
-        if (name.isEmpty()) throw refused("the name must have something before its extension")
-        if (Files.isDirectory(descriptor)) throw refused("it is a folder; name a file in it")
-        val parent = descriptor.toAbsolutePath().parent
-        if (!Files.isDirectory(parent)) throw refused("there is no folder $parent; create it or choose another")
+        require(isNamed(descriptor)) { "cannot write $descriptor: the name of a Deep Zoom pyramid must end in $ENDING" }
+        val target = AtomicFile.place(descriptor)
+        if (!isNamed(target)) throw refused("it is a link to $target, which does not end in $ENDING; remove it")
+        if (nameOf(target).isEmpty()) throw refused("the name must have something before its extension")
         if (Files.exists(folder) && !isPyramid()) {
             throw refused("$folder exists and has other files than tiles; move it away, or choose another name")
         }
         if (!Files.isDirectory(folder.parent)) {
-            val link = place(descriptor)
+            val link = place(target)
             throw refused("$link is a link, and there is no folder ${folder.parent}; create it, or remove the link")
         }
     }
@@ -82,14 +78,17 @@ internal class PyramidFiles(private val descriptor: Path) {
         """.trimMargin()
 
     companion object {
+        private const val ENDING = ".${DeepZoomFiles.EXTENSION}"
         private val LEVEL = Regex("[0-9]{1,2}")
         private val TILE = Regex("[0-9]+_[0-9]+\\.(png|jpe?g|webp)")
 
         /** Returns the folder of the tiles, which may exist. Links are followed. */
-        fun tiles(descriptor: Path): Path = AtomicFile.resolved(place(descriptor))
+        fun tiles(descriptor: Path): Path = AtomicFile.resolved(place(AtomicFile.resolved(descriptor)))
 
-        private fun place(descriptor: Path) = descriptor.toAbsolutePath().resolveSibling("${nameOf(descriptor)}_files")
+        private fun place(target: Path) = target.resolveSibling("${nameOf(target)}_files")
 
-        private fun nameOf(descriptor: Path) = descriptor.fileName?.toString()?.substringBeforeLast('.').orEmpty()
+        private fun nameOf(target: Path) = target.fileName?.toString()?.substringBeforeLast('.').orEmpty()
+
+        private fun isNamed(path: Path) = path.toString().endsWith(ENDING, ignoreCase = true)
     }
 }

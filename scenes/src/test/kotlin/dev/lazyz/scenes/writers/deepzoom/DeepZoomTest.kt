@@ -168,6 +168,32 @@ class DeepZoomTest {
         }
     }
 
+    @Test
+    fun tilesAreBesideTheDescriptorThatALinkNames() {
+        val store = folder.resolve("store").createDirectories()
+        val link = folder.resolve("h.dzi").createSymbolicLinkPointingTo(Path.of("store/b.dzi"))
+        for (side in listOf(20, 40)) {
+            DeepZoomFiles.write(path, side, 90) { sink -> send(sink, side, 90) }
+            DeepZoomFiles.write(link, side, 90) { sink -> send(sink, side, 90) }
+            assertEquals(setOf("b.dzi", "b_files"), names(store))
+            assertEquals(path.readText(), store.resolve("b.dzi").readText())
+            assertEquals(content(tiles), content(store.resolve("b_files")))
+        }
+        assertEquals(setOf("a.dzi", "a_files", "h.dzi", "store"), names(folder))
+        assertTrue(link.isSymbolicLink())
+        assertEquals(store.resolve("b_files").toRealPath(), DeepZoomFiles.tiles(link))
+    }
+
+    @Test
+    fun aLinkThatNamesNoDescriptorIsRefused() {
+        val photo = folder.resolve("photo.png").apply { writeText("mine") }
+        path.createSymbolicLinkPointingTo(photo)
+        val refused = assertThrows<IOException> { DeepZoomFiles.write(path, 9, 9) { _ -> error("must not begin") } }
+        val reason = "it is a link to ${photo.toRealPath()}, which does not end in .dzi; remove it"
+        assertEquals("cannot write $path: $reason", refused.message)
+        assertEquals("mine", photo.readText())
+    }
+
     private fun names(folder: Path): Set<String> = folder.listDirectoryEntries().map { it.name }.toSet()
 
     private fun resume(width: Int, height: Int, alpha: AlphaChannel, stop: Int, starts: MutableList<Int>) {
