@@ -1,7 +1,6 @@
 package dev.lazyz.scenes.streaming
 
 import dev.lazyz.scenes.writers.TemporaryFile
-import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.MappedByteBuffer
@@ -59,14 +58,13 @@ internal class FloatSpool(private val space: SpoolSpace, private val width: Int,
     fun get(record: Int, place: Int): Float =
         pieces[record ushr pieceBits].getFloat(((record and mask) * width + place) * Float.SIZE_BYTES)
 
-    /** Deletes the file. Its space on the disk becomes free when the garbage collector has found that it is unused. */
+    /**
+     * Deletes the file. Its space on the disk becomes free when the garbage collector has found that it is unused. Some
+     * systems delete no file that is mapped; then it is deleted when the process exits, or by the next one.
+     */
     override fun close() {
         pieces = emptyArray()
-        try {
-            temporary.close()
-        } catch (_: IOException) {
-            // Some systems delete no file that is mapped; then it is deleted when the process exits, or by the next one
-        }
+        temporary.close()
         space.release(written)
     }
 

@@ -16,8 +16,8 @@ import java.util.concurrent.ThreadLocalRandom
 /**
  * A temporary file that exists only while it is written, and a temporary [folder] if a caller creates it. They are
  * deleted when the file is closed, unless they were renamed before, and when the process exits normally or on SIGINT,
- * SIGTERM and SIGHUP. If a process is killed, its temporary files are deleted by the next process that writes to the
- * same folder.
+ * SIGTERM and SIGHUP. If a process is killed, or cannot delete its temporary files, they are deleted by the next
+ * process that writes to the same folder.
  *
  * The process that writes such a file holds a lock on it. A file without a lock is no longer in use.
  */
@@ -27,8 +27,12 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
 
     override fun close() {
         channel.close()
-        delete(path)
-        open.remove(path)
+        try {
+            delete(path)
+            open.remove(path)
+        } catch (_: IOException) {
+            // It is no failure of what was written. The file is deleted when the process exits, or by the next one
+        }
     }
 
     companion object {

@@ -61,11 +61,12 @@ internal class PyramidFiles(private val descriptor: Path) {
     }
 
     private fun all(folder: Path, test: (Path) -> Boolean): Boolean {
-        if (!Files.isReadable(folder)) {
-            throw refused("no permission to read $folder; permit it, or choose another name")
-        }
+        if (!Files.isReadable(folder)) throw forbidden("read $folder")
+        if (!Files.isWritable(folder)) throw forbidden("delete what is in $folder")
         return Files.list(folder).use { it.allMatch(test) }
     }
+
+    private fun forbidden(action: String) = refused("no permission to $action; permit it, or choose another name")
 
     private fun text(width: Int, height: Int) =
         """

@@ -137,6 +137,42 @@ class DeepZoomTest {
         }
     }
 
+    @Test
+    fun aFolderThatCannotBeDeletedIsNotReplaced() {
+        DeepZoomFiles.write(path, 20, 90) { sink -> send(sink, 20, 90) }
+        val before = content(folder)
+        for (place in listOf(tiles.resolve("3"), tiles)) {
+            assumeTrue(place.toFile().setWritable(false) && !Files.isWritable(place), "all is permitted to this user")
+            try {
+                val refused = assertThrows<IOException> {
+                    DeepZoomFiles.write(path, 9, 9) { _ -> error("must not begin") }
+                }
+                val reason = "no permission to delete what is in ${place.toRealPath()}"
+                assertEquals("cannot write $path: $reason; permit it, or choose another name", refused.message)
+            } finally {
+                place.toFile().setWritable(true)
+            }
+        }
+        assertEquals(before, content(folder))
+    }
+
+    /** The permission is lost while the new pyramid is rendered. */
+    @Test
+    fun aPyramidIsCompleteEvenIfTheOldOneCannotBeDeleted() {
+        DeepZoomFiles.write(path, 300, 300) { sink -> send(sink, 300, 300) }
+        val level = tiles.resolve("3")
+        try {
+            DeepZoomFiles.write(path, 20, 90) { sink ->
+                send(sink, 20, 90)
+                assumeTrue(level.toFile().setWritable(false) && !Files.isWritable(level), "all is permitted")
+            }
+            requireLevels(20, 90, AlphaChannel.KEEP)
+            assertTrue("Width=\"20\"" in path.readText())
+        } finally {
+            Files.walk(folder).use { all -> all.forEach { it.toFile().setWritable(true) } }
+        }
+    }
+
     /** The folder may be on another disk, and folders cannot be moved to another disk. */
     @Test
     fun aPartialPyramidIsBesideTheFolderThatALinkNames() {
