@@ -5,6 +5,7 @@ import java.nio.channels.FileChannel
 import java.nio.channels.OverlappingFileLockException
 import java.nio.file.FileVisitResult
 import java.nio.file.Files
+import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import java.nio.file.SimpleFileVisitor
 import java.nio.file.StandardOpenOption.CREATE_NEW
@@ -127,16 +128,22 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
         /** Deletes the temporary file [path], and before that its folder. */
         private fun delete(path: Path) {
             val folder = folderOf(path)
+            val doomed = path.resolveSibling("${path.fileName}$DOOMED_SUFFIX")
+
+            // What remains if an earlier deletion was not completed
+            if (Files.exists(doomed)) deleteTree(doomed)
             if (Files.exists(folder)) {
                 // Other threads may still write into the folder: without its name they cannot create files there
-                val doomed = path.resolveSibling("${path.fileName}$DOOMED_SUFFIX")
                 Files.move(folder, doomed)
                 deleteTree(doomed)
             }
             Files.deleteIfExists(path)
         }
 
-        /** Deletes [folder] and all that is in it. Links are deleted, and not what they name. */
+        /**
+         * Deletes [folder] and all that is in it. Links are deleted, and not what they name. Another thread, or another
+         * process, may delete it at the same time.
+         */
         fun deleteTree(folder: Path) {
             Files.walkFileTree(folder, Deletion)
         }
@@ -149,6 +156,9 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
         override fun visitFile(file: Path, attributes: BasicFileAttributes): FileVisitResult = deleted(file)
 
         override fun postVisitDirectory(folder: Path, failure: IOException?): FileVisitResult = deleted(folder)
+
+        override fun visitFileFailed(file: Path, failure: IOException): FileVisitResult =
+            if (failure is NoSuchFileException) FileVisitResult.CONTINUE else throw failure
 
         private fun deleted(path: Path): FileVisitResult {
             Files.deleteIfExists(path)
