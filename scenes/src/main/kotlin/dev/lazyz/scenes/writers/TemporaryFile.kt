@@ -78,7 +78,11 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
             open.add(path)
             try {
                 val channel = FileChannel.open(path, CREATE_NEW, WRITE)
-                lock(channel)
+                try {
+                    tryLock(channel)
+                } catch (_: IOException) {
+                    // The file system has no locks
+                }
                 return TemporaryFile(path, channel)
             } catch (e: IOException) {
                 open.remove(path)
@@ -99,18 +103,22 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
             try {
                 val age = System.currentTimeMillis() - Files.getLastModifiedTime(path).toMillis()
                 if (age < MIN_AGE_MILLIS || path in open || !Files.isRegularFile(path)) return
-                FileChannel.open(path, WRITE).use { if (lock(it)) delete(path) }
+                FileChannel.open(path, WRITE).use { if (tryLock(it)) delete(path) }
             } catch (_: IOException) {
                 // The file belongs to another user, or was just deleted
             }
         }
 
-        /** Tries to lock [channel]; returns false also on file systems that have no locks. */
-        private fun lock(channel: FileChannel): Boolean = try {
-            channel.tryLock() != null
+        /**
+         * Locks the file of [channel] for this process, unless it is locked already. The lock is on a byte that no file
+         * has: on Windows, only the channel that has locked bytes can read them.
+         *
+         * @return whether it was not locked
+         * @throws IOException if the file system has no locks
+         */
+        fun tryLock(channel: FileChannel): Boolean = try {
+            channel.tryLock(Long.MAX_VALUE - 1, 1, false) != null
         } catch (_: OverlappingFileLockException) {
-            false
-        } catch (_: IOException) {
             false
         }
 

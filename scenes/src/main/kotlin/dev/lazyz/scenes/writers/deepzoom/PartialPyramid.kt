@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.writers.deepzoom
 
+import dev.lazyz.scenes.writers.TemporaryFile
 import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.channels.FileChannel
-import java.nio.channels.OverlappingFileLockException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption.CREATE
@@ -31,7 +31,9 @@ internal class PartialPyramid(private val files: PyramidFiles, facts: Map<String
         Files.createDirectories(files.partial)
         channel = FileChannel.open(stated, CREATE, READ, WRITE)
         try {
-            if (!isLocked()) throw files.refused("another process is writing ${files.partial}; wait until it has ended")
+            if (!TemporaryFile.tryLock(channel)) {
+                throw files.refused("another process is writing ${files.partial}; wait until it has ended")
+            }
             val text = facts.entries.joinToString("") { (name, value) -> "$name: ${value.replace('\n', ' ')}\n" }
             val old = Files.readString(stated)
             if (old.isEmpty()) channel.write(ByteBuffer.wrap(text.toByteArray())) else requireSame(old, text)
@@ -48,12 +50,6 @@ internal class PartialPyramid(private val files: PyramidFiles, facts: Map<String
     }
 
     override fun close() = channel.close()
-
-    private fun isLocked(): Boolean = try {
-        channel.tryLock() != null
-    } catch (_: OverlappingFileLockException) {
-        false
-    }
 
     private fun requireSame(old: String, new: String) {
         if (old == new) return
