@@ -3,6 +3,7 @@ package dev.lazyz.scenes.writers.deepzoom
 import dev.lazyz.scenes.writers.TemporaryFile
 import java.io.IOException
 import java.nio.ByteBuffer
+import java.nio.channels.Channels
 import java.nio.channels.FileChannel
 import java.nio.file.Files
 import java.nio.file.Path
@@ -35,7 +36,9 @@ internal class PartialPyramid(private val files: PyramidFiles, facts: Map<String
                 throw files.refused("another process is writing ${files.partial}; wait until it has ended")
             }
             val text = facts.entries.joinToString("") { (name, value) -> "$name: ${value.replace('\n', ' ')}\n" }
-            val old = Files.readString(stated)
+
+            // Not with another channel: on Linux, all locks on a file are lost when one of its channels is closed
+            val old = String(Channels.newInputStream(channel).readAllBytes())
             if (old.isEmpty()) channel.write(ByteBuffer.wrap(text.toByteArray())) else requireSame(old, text)
         } catch (e: IOException) {
             channel.close()

@@ -266,6 +266,18 @@ class DeepZoomTest {
         }
     }
 
+    /** On some systems, a process loses its locks on a file when it closes the file, however it was opened. */
+    @Test
+    fun aPartialPyramidStaysLocked() {
+        val locks = Path.of("/proc/locks")
+        assumeTrue(locks.exists())
+        DeepZoomFiles.resume(path, 9, 9, AlphaChannel.DROP, mapOf()) { sink, _ ->
+            val number = Files.getAttribute(folder.resolve("a_files.partial/resume.txt"), "unix:ino")
+            assertTrue(":$number " in locks.readText(), "$number")
+            send(sink, 9, 9)
+        }
+    }
+
     @Test
     fun aDamagedTileIsReported() {
         resume(300, 600, AlphaChannel.DROP, 500, ArrayList())
