@@ -1,5 +1,6 @@
 package dev.lazyz.cli.output
 
+import java.io.Console
 import java.io.FileDescriptor
 import java.io.FileOutputStream
 import java.io.IOException
@@ -110,7 +111,7 @@ internal class Streams(
 
         /**
          * Returns whether [descriptor] is a terminal. Java has no method for a single stream. On Unix, a character
-         * device counts as a terminal unless it is one of [others].
+         * device counts as a terminal unless it is one of [others]; elsewhere, both are terminals or none is.
          */
         private fun isTerminal(descriptor: Int): Boolean = try {
             val mode = Files.getAttribute(Path.of("/dev/fd/$descriptor"), "unix:mode") as Int
@@ -119,7 +120,14 @@ internal class Streams(
         } catch (unknown: IOException) {
             false
         } catch (notUnix: UnsupportedOperationException) {
-            System.console() != null
+            System.console()?.let { isTerminal(it) } == true
+        }
+
+        /** From Java 22 on, there is a console even without a terminal, and a method that tells. */
+        private fun isTerminal(console: Console): Boolean = try {
+            Console::class.java.getMethod("isTerminal").invoke(console) as Boolean
+        } catch (old: NoSuchMethodException) {
+            true
         }
 
         private fun isSameDevice(first: String, second: String): Boolean {
