@@ -3,6 +3,7 @@ package dev.lazyz.scenes.streaming
 import dev.lazyz.scenes.SceneReadException
 import java.io.EOFException
 import java.io.IOException
+import java.io.InputStream
 import java.io.RandomAccessFile
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
@@ -36,6 +37,25 @@ internal class FileBytes(path: Path, private val name: String) : AutoCloseable {
             throw SceneReadException(name, "cannot be read: ${e.message ?: e}", cause = e)
         }
         return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
+    }
+
+    /** Returns the bytes from [position] on. The stream can be used until the file is closed. */
+    fun stream(position: Long): InputStream = object : InputStream() {
+        private var next = position
+
+        override fun read(): Int {
+            val byte = ByteArray(1)
+            return if (read(byte, 0, 1) < 0) -1 else byte[0].toInt() and 0xFF
+        }
+
+        override fun read(bytes: ByteArray, offset: Int, length: Int): Int {
+            val count = synchronized(file) {
+                file.seek(next)
+                file.read(bytes, offset, length)
+            }
+            if (count > 0) next += count
+            return count
+        }
     }
 
     override fun close() = file.close()

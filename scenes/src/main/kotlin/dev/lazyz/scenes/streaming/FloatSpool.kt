@@ -5,7 +5,6 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.MappedByteBuffer
 import java.nio.channels.FileChannel
-import java.nio.file.StandardOpenOption.READ
 
 /**
  * A temporary file of records of [width] numbers, which are read in any order after all have been written. The file is
@@ -44,12 +43,10 @@ internal class FloatSpool(private val space: SpoolSpace, private val width: Int,
     fun finish() {
         flush()
         val piece = (1L shl pieceBits) * width * Float.SIZE_BYTES
-        FileChannel.open(temporary.path, READ).use { channel ->
-            pieces = Array(((written + piece - 1) / piece).toInt()) { number ->
-                val start = number * piece
-                channel.map(FileChannel.MapMode.READ_ONLY, start, minOf(piece, written - start)).also {
-                    it.order(ByteOrder.LITTLE_ENDIAN)
-                }
+        pieces = Array(((written + piece - 1) / piece).toInt()) { number ->
+            val start = number * piece
+            temporary.channel.map(FileChannel.MapMode.READ_ONLY, start, minOf(piece, written - start)).also {
+                it.order(ByteOrder.LITTLE_ENDIAN)
             }
         }
     }

@@ -32,6 +32,8 @@ internal class StreamedInput private constructor(
 
     /** Opens the file from byte [position] on. */
     fun bytes(position: Long = 0): InputStream {
+        // A temporary file must not be opened again
+        if (copy != null) return file.stream(position)
         val bytes = Files.newInputStream(path)
         try {
             bytes.skipNBytes(position)

@@ -9,6 +9,7 @@ import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import java.nio.file.SimpleFileVisitor
 import java.nio.file.StandardOpenOption.CREATE_NEW
+import java.nio.file.StandardOpenOption.READ
 import java.nio.file.StandardOpenOption.WRITE
 import java.nio.file.attribute.BasicFileAttributes
 import java.util.concurrent.ConcurrentHashMap
@@ -20,7 +21,9 @@ import java.util.concurrent.ThreadLocalRandom
  * SIGTERM and SIGHUP. If a process is killed, or cannot delete its temporary files, they are deleted by the next
  * process that writes to the same folder.
  *
- * The process that writes such a file holds a lock on it. A file without a lock is no longer in use.
+ * The process that writes such a file holds a lock on it. A file without a lock is no longer in use. On Linux, a
+ * process loses its locks on a file when it closes the file, however it was opened: do not open it again for a short
+ * time.
  */
 internal class TemporaryFile private constructor(val path: Path, val channel: FileChannel) : AutoCloseable {
     /** The place for a folder. It is not created. */
@@ -77,7 +80,7 @@ internal class TemporaryFile private constructor(val path: Path, val channel: Fi
             val path = folder.resolve(".$name.$word$SUFFIX")
             open.add(path)
             try {
-                val channel = FileChannel.open(path, CREATE_NEW, WRITE)
+                val channel = FileChannel.open(path, CREATE_NEW, READ, WRITE)
                 try {
                     tryLock(channel)
                 } catch (_: IOException) {

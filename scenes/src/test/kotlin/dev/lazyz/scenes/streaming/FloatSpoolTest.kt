@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.streaming
 
+import dev.lazyz.scenes.writers.Locks
 import java.nio.file.Path
 import kotlin.io.path.listDirectoryEntries
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -19,6 +20,7 @@ class FloatSpoolTest {
                     for (i in 0 until count * width) spool.add(i.toFloat())
                     assertEquals(count, spool.size)
                     spool.finish()
+                    Locks.requireLocked(folder.listDirectoryEntries().single())
                     for (i in count * width - 1 downTo 0) assertEquals(i.toFloat(), spool.get(i / width, i % width))
                 }
                 assertEquals(emptyList<Path>(), folder.listDirectoryEntries())
