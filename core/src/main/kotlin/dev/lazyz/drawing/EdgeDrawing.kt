@@ -21,10 +21,10 @@ import dev.lazyz.world.surface.Surface
  * all surfaces, at the depth of the near plane, with their full width. So no line sinks into its own faces, and none
  * shines through. The outlines of polygons are drawn, too.
  *
- * Meshes and polygons hide lines unless their material is translucent. Samples that a mask removes do hide them. What is
- * not drawn, because it shows its back or is nearer than the near plane, does not.
- * Spheres, points, lines and custom surfaces do not hide lines, and have no edges. A surface that touches an edge, up
- * to 2^-17 of the size of the scene, does not hide it.
+ * Meshes and polygons hide lines unless their material is translucent. Samples that a mask removes do hide them. What
+ * is not drawn, because it shows its back or is nearer than the near plane, does not. Spheres, points, lines and custom
+ * surfaces do not hide lines, and have no edges. A surface that touches an edge, up to 2^-17 of the size of the scene,
+ * does not hide it.
  *
  * Silhouettes of rough surfaces leave crumbs: visible parts between hidden parts. Those that are shorter than 8 times
  * the width and not near another line are left out.

@@ -25,8 +25,8 @@ import dev.lazyz.world.surface.Surface
  * so each has 8 bits a component. Sums are of integers, so their order does not matter. Depth and primitive are those
  * of the pixel's sample that wins the depth test. A pixel without alpha has the colour of its upper left sample.
  *
- * Cost: [factor]^2 samples a pixel. Memory: that of the renderer for rows of samples, and 84 bytes a column of pixels
- * for each row that the filter covers, and 44 more. Rows are passed on as soon as their samples are complete. Immutable
+ * Cost: [factor]^2 samples a pixel. Memory: that of the renderer for rows of samples, and 44 bytes a column of pixels
+ * for each row that the filter covers, and 52 more. Rows are passed on as soon as their samples are complete. Immutable
  * and thread safe.
  *
  * @property factor samples a pixel in each direction, 1..[MAX_FACTOR]

@@ -31,8 +31,9 @@ import dev.lazyz.world.material.Shading
  * shaders that hold more memory than they report are not known.
  *
  * @param memory bytes of memory that may be used, in all
- * @param options what is requested. Threads and size of tiles are the most that a plan may use; a budget and a limit
- *   for bands are kept as they are
+ * @param options what is requested. Threads and size of tiles are the most that a plan may use, and so is the limit
+ *   for the bands of `Tiled`, unless there would be more than 64 of them. Other renderers choose their bands. A budget
+ *   is kept as it is
  * @throws IllegalArgumentException if [memory] is negative
  */
 public class RenderPlanner @JvmOverloads constructor(
