@@ -9,8 +9,10 @@ import dev.lazyz.drawing.strokes.Polylines
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.setup.Viewport
+import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Surface
+import java.util.function.UnaryOperator
 
 /**
  * The edges of the meshes and polygons among [surfaces], drawn as lines. Add it to the scene that has the surfaces, as
@@ -88,6 +90,9 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
     }
 
     override fun withUpAxis(up: UpAxis): EdgeDrawing = EdgeDrawing(surfaces.map { it.withUpAxis(up) }, style)
+
+    override fun withMaterials(change: UnaryOperator<Material>): EdgeDrawing =
+        EdgeDrawing(surfaces.map { it.withMaterials(change) }, style)
 
     override fun magnified(factor: Int): EdgeDrawing = withStyle(style.withWidth(style.width * factor))
 

@@ -78,6 +78,8 @@ public class Section @JvmOverloads constructor(
     }
 
     private fun cut(polygon: Polygon, plane: SectionPlane): Polygon? {
+        // A polygon with a vertex that is not finite covers nothing, and must not become one that does
+        if (!polygon.contours.all { contour -> contour.all { it.isFinite } }) return polygon
         if (polygon.contours.all { contour -> contour.all { plane.height(it.x, it.y, it.z) <= 0.0 } }) return polygon
         val contours = ContourCut.of(polygon.contours, polygon.fillRule, plane).filter { it.size >= 3 }
         return if (contours.isEmpty()) null else Polygon(contours, polygon.material, polygon.fillRule)

@@ -60,7 +60,7 @@ internal class PointCloud(private val points: Points, private val stage: VertexS
     private fun isCutOut(number: Int): Boolean {
         if (material.alphaMode != AlphaMode.MASK) return false
         val fragment = Fragment().also { attributes(number, it) }
-        return !(materialShader.alphaAt(fragment) >= material.alphaCutoff)
+        return !materialShader.reaches(fragment, material.alphaCutoff)
     }
 
     /** Whether a point is translucent, because of the material or its colour. */

@@ -35,7 +35,7 @@ internal class MaskedPrimitive(
             for (x in uncut.start(i) until uncut.end(i)) {
                 fragment.moveTo(x, y)
                 whole.attributes(fragment)
-                if (shader.alphaAt(fragment) >= cutoff) spans.add(x, x + 1)
+                if (shader.reaches(fragment, cutoff)) spans.add(x, x + 1)
             }
         }
     }

@@ -279,6 +279,9 @@ internal class MaterialShader(
         return alpha
     }
 
+    /** Whether the opacity at the fragment reaches [cutoff] (contract rule 2.7). */
+    fun reaches(fragment: Fragment, cutoff: Float): Boolean = alphaAt(fragment) >= cutoff * (1f - FILTER_ROUNDING)
+
     /**
      * Replaces the colour of [vertex] with the lit colour of the material at the position [world], without its texture.
      * [light] is scratch memory of 6 numbers.
@@ -314,5 +317,8 @@ internal class MaterialShader(
         /** Scratch memory of a batch for metallicness, after that of [BatchPhysicalLighting]. */
         const val METALLIC = BatchPhysicalLighting.ARRAYS
         const val ARRAYS = METALLIC + 1
+
+        /** The part of an opacity by which the filter of a texture may round it: 2^-18. */
+        const val FILTER_ROUNDING = 1f / (1 shl 18)
     }
 }

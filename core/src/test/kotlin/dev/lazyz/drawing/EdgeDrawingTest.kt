@@ -7,6 +7,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.Transforms
 import dev.lazyz.strategies.Renderers
+import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
@@ -337,6 +338,16 @@ class EdgeDrawingTest {
                 assertTrue(expected.argb.toSet().size > 10) { "$style" }
             }
         }
+    }
+
+    @Test
+    fun rule_10_2_changedMaterialsHideAsTheyAreDrawn() {
+        val surfaces = listOf(square(-1f, -1f, 1f, 1f, 1f), square(-0.5f, -0.5f, 0.5f, 0.5f, 0f))
+        val scene = Scene(surfaces, viewpoint = front)
+        val glass = plain.withBaseColor(Rgba(1f, 1f, 1f, 0.5f)).withAlphaMode(AlphaMode.BLEND)
+        val before = EdgeStyle().drawnOn(scene.withMaterials { glass })
+        val after = EdgeStyle().drawnOn(scene).withMaterials { glass }
+        assertArrayEquals(Lists().render(before.frame(50, 50)).argb, Lists().render(after.frame(50, 50)).argb)
     }
 
     @Test

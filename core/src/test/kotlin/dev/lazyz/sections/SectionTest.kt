@@ -315,4 +315,14 @@ class SectionTest {
         assertThrows(IllegalArgumentException::class.java) { SectionPlane.x(Double.NaN) }
         assertThrows(IllegalArgumentException::class.java) { Hatching(0.0, 0.5, Rgba.BLACK, Rgba.WHITE) }
     }
+
+    /** A polygon that covers nothing is not cut to one that does. */
+    @Test
+    fun rule_9_5_polygonsThatAreNotFiniteStayAsTheyAre() {
+        val corners = listOf(0.0 to 0.0, 1.0 to 0.0, 1.0 to 1.0, Double.NaN to 1.0)
+        val polygon = Polygon(listOf(corners.map { (x, y) -> Vertex(x, y, 0.0) }), Material())
+        for (plane in listOf(SectionPlane.x(100.0), SectionPlane.x(0.5))) {
+            assertEquals(listOf(polygon), cut(listOf(polygon), plane).scene.surfaces)
+        }
+    }
 }

@@ -5,12 +5,14 @@ import dev.lazyz.Fragment
 import dev.lazyz.FragmentBatch
 import dev.lazyz.Rgba
 import dev.lazyz.samples
+import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.SceneLight
 import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.Shading
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureFilter
@@ -150,5 +152,25 @@ class MaterialShaderTest {
             }
         }
         assertTrue(samples > 200) { "$samples" }
+    }
+
+    /** Filters round an alpha that is the same everywhere. */
+    @Test
+    fun rule_2_7_aTextureWhoseAlphaIsTheCutoffHasNoHoles() {
+        val eye = Vector3d(0.0, 0.3, 2.0)
+        val camera = Camera.perspective(eye, Vector3d(0.0, 0.2, 0.0), Vector3d(0.0, 1.0, 0.0), 50.0, 0.1, 100.0)
+        val positions = floatArrayOf(-1f, 0f, -20f, 1f, 0f, -20f, 1f, 0f, 1f, -1f, 0f, 1f)
+        val uvs = floatArrayOf(0f, 40f, 4f, 40f, 4f, 0f, 0f, 0f)
+        for (alpha in listOf(255, 51)) {
+            for (filter in MipFilter.entries) {
+                val even = Texture(64, 64, IntArray(64 * 64) { alpha shl 24 or 0xFFFFFF }).withMipFilter(filter)
+                val masked = Material(Rgba.WHITE, even).withAlphaMode(AlphaMode.MASK).withAlphaCutoff(alpha / 255f)
+                val (covered, all) = listOf(masked, masked.withAlphaMode(AlphaMode.OPAQUE)).map {
+                    val floor = Mesh(positions, intArrayOf(0, 1, 2, 0, 2, 3), it, null, uvs)
+                    ZBuffer().render(Scene(listOf(floor), lights, camera).frame(100, 100)).visible
+                }
+                assertEquals(all, covered, "alpha $alpha, $filter")
+            }
+        }
     }
 }

@@ -181,9 +181,11 @@ internal class PhysicalLighting(
         private fun rest(f0: Float, diffuse: Float, scale: Float, bias: Float, once: Float): Float {
             val single = scale + bias
             val lost = 1f - single
-            val mean = f0 + (1f - f0) / 21f
+
+            // Base colours above 1 reflect more than all light, but between microfacets no more than that
+            val mean = minOf(f0 + (1f - f0) / 21f, 1f)
             val more = lost * once * mean / (1f - mean * lost)
-            val matt = diffuse * (1f - once - more)
+            val matt = diffuse * maxOf(1f - once - more, 0f)
             return more + matt
         }
 

@@ -135,4 +135,23 @@ class PhysicalLightingTest {
         assertEquals(cosine * edge, red(Light.Spot(at, slanted, Rgba.WHITE, 10.0, 30.0)), 1e-5)
         assertEquals(0.0, red(Light.Spot(at, slanted, Rgba.WHITE, 0.0, 19.0)))
     }
+
+    /** Base colours may be above 1. */
+    @Test
+    fun rule_6_10_surfacesWithColoursAboveOneAreBright() {
+        val studio = Environment.studio()
+        for (roughness in listOf(0.2f, 0.8f, 1f)) {
+            for (metallic in listOf(0f, 0.5f, 1f)) {
+                val white = seen(material(Rgba(1f, 0.5f, 0.5f), metallic, roughness), environment = studio)
+                for (base in listOf(1.4f, 1.5f, 2f, 3f, 5f, 50f)) {
+                    val color = seen(material(Rgba(base, 0.5f, 0.5f), metallic, roughness), environment = studio)
+                    val what = "base $base, metallic $metallic, roughness $roughness: $color, not $white"
+                    assertTrue(color.red > color.green, what)
+
+                    // What is metallic in part reflects more light, and lets less of it reach the matt surface below
+                    assertTrue(color.red > white.red * (if (metallic == 0.5f) 0.7f else 1f), what)
+                }
+            }
+        }
+    }
 }

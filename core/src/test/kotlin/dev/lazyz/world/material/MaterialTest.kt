@@ -60,7 +60,7 @@ class MaterialTest {
         fun covered(alpha: Float, cutoff: Float): Int =
             image(square(Material(Rgba(1f, 1f, 1f, alpha), alphaMode = AlphaMode.MASK, alphaCutoff = cutoff))).visible
         assertEquals(64, covered(0.5f, 0.5f))
-        assertEquals(0, covered(Math.nextDown(0.5f), 0.5f))
+        assertEquals(0, covered(0.5f - 0.5f / (1 shl 17), 0.5f))
         assertEquals(64, covered(0f, 0f))
         assertEquals(64, covered(1f, 1f))
     }
