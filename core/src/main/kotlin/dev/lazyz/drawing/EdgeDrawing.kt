@@ -34,7 +34,8 @@ import java.util.function.UnaryOperator
  * The number of primitives depends on the camera. The list of surfaces is not copied; do not change it. Immutable and
  * thread safe if its surfaces are.
  *
- * Cost: linear in the number of faces and edges, as long as few faces are long and thin on the raster.
+ * Cost: linear in the number of faces and edges, as long as few faces are long and thin on the raster. An edge that a
+ * polygon may hide costs the square of the polygon's sides at most.
  * Neighbours of triangles are found once, and visibility each time the scene is set up.
  *
  * @param surfaces the surfaces of the scene

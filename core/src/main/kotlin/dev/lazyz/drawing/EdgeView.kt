@@ -73,8 +73,8 @@ internal class EdgeView(
         private val part = KeptPart()
         private var isFeature = false
 
-        /** By polygon: the last edge that was compared with it. A polygon can have many sides, so once is enough. */
-        private val lastEdge = IntArray(polygons.size) { -1 }
+        /** Polygons that were compared with the edge. They can have many sides, so once is enough. */
+        private val compared = HashSet<Int>()
 
         fun divide(edge: Int) {
             isFeature = isAll || model.isFeature(edge)
@@ -82,6 +82,7 @@ internal class EdgeView(
             val end = model.end(edge, 1)
             clip(start, end)
             if (part.isEmpty) return
+            compared.clear()
             val low = part.low
             val high = part.high
             val w0 = mix(start, end, 2, low)
@@ -92,7 +93,7 @@ internal class EdgeView(
             grid.forEachAlong(
                 mix(start, end, 0, low) / w0, mix(start, end, 1, low) / w0,
                 mix(start, end, 0, high) / w1, mix(start, end, 1, high) / w1,
-            ) { face -> addHidden(edge, face) }
+            ) { face -> addHidden(face) }
 
             // What is not hidden is visible
             val isDrawn = facing.isDrawn(edge)
@@ -106,16 +107,14 @@ internal class EdgeView(
             add(hidden, start, end, at, high)
         }
 
-        /** Adds what [face] hides of [edge]. */
-        private fun addHidden(edge: Int, face: Int) {
+        /** Adds what [face] hides of the edge. */
+        private fun addHidden(face: Int) {
             if (face < model.triangleCount) {
                 parts.behindTriangle(model.corners[3 * face], model.corners[3 * face + 1], model.corners[3 * face + 2])
                 return
             }
             val number = face - model.triangleCount
-            if (lastEdge[number] == edge) return
-            lastEdge[number] = edge
-            polygons[number]?.let { parts.behindPolygon(it) }
+            if (compared.add(number)) polygons[number]?.let { parts.behindPolygon(it) }
         }
 
         private fun add(pieces: Pieces, start: Int, end: Int, from: Double, until: Double) {
