@@ -179,8 +179,9 @@ public class Scene private constructor(
         copy(surfaces = surfaces.map { it.withMaterials(change) })
 
     /**
-     * Returns this scene, in which the axis [up] points up, rotated so that y points up. Its lights and its camera are
-     * rotated, too; a rule such as [Camera.fit] is kept. Cost: a copy of all positions and normals.
+     * Returns this scene, in which the axis [up] points up, rotated so that y points up. Its lights, its camera and its
+     * [ambientVisibility] are rotated, too; a rule such as [Camera.fit] is kept. Cost: a copy of all positions and
+     * normals.
      *
      * @throws UnsupportedOperationException if the scene is given on the screen, see [isOnScreen], or a surface cannot
      *   be rotated, see [Surface.withUpAxis]
@@ -188,10 +189,13 @@ public class Scene private constructor(
     public fun withUpAxis(up: UpAxis): Scene = if (up == UpAxis.Y) {
         this
     } else {
-        copy(
+        val turned = copy(
             surfaces = surfaces.map { it.withUpAxis(up) },
             lights = lights.map { it.withUpAxis(up) },
             viewpoint = if (viewpoint is Camera) viewpoint.withUpAxis(up) else viewpoint,
+        )
+        turned.withAmbientVisibility(
+            ambientVisibility?.let { TurnedVisibility(it, up, Vectors.minus(up.toModel(turned.origin), origin)) },
         )
     }
 
