@@ -40,7 +40,7 @@ public class FittedViewpoint internal constructor(
     public val fieldOfView: Double,
 ) : Viewpoint {
     override fun camera(scene: Scene, aspect: Double): Camera {
-        val up = if (StrictMath.abs(elevation) == 90.0) upAtPole() else Vector3d(0.0, 1.0, 0.0)
+        val up = if (horizontal() < POLE) upAtPole() else Vector3d(0.0, 1.0, 0.0)
         val axes = Camera.orthographic(direction(), Vector3d(), up, 1.0, 0.0, 1.0)
         val extent = SceneExtent(scene, axes)
         return when (kind) {
@@ -86,11 +86,14 @@ public class FittedViewpoint internal constructor(
     private fun direction(): Vector3d {
         val a = azimuth * (StrictMath.PI / 180.0)
         val e = elevation * (StrictMath.PI / 180.0)
-        val horizontal = StrictMath.cos(e)
+        val horizontal = horizontal()
         return Vector3d(StrictMath.sin(a) * horizontal, StrictMath.sin(e), StrictMath.cos(a) * horizontal)
     }
 
-    /** Up direction for a view from straight above or below: the horizontal direction given by the azimuth. */
+    /** The horizontal part of the [direction]: the cosine of the elevation. */
+    private fun horizontal(): Double = StrictMath.cos(elevation * (StrictMath.PI / 180.0))
+
+    /** Up direction for a view from (almost) straight above or below: the horizontal direction given by the azimuth. */
     private fun upAtPole(): Vector3d {
         val a = azimuth * (StrictMath.PI / 180.0)
         val sign = if (elevation > 0) -1.0 else 1.0
@@ -129,6 +132,11 @@ public class FittedViewpoint internal constructor(
 
     override fun toString(): String = "FittedViewpoint(azimuth=$azimuth, elevation=$elevation, zoom=$zoom, $kind, " +
         "margin=$margin, fieldOfView=$fieldOfView)"
+
+    private companion object {
+        /** Horizontal part of the direction below which the y axis does not say reliably what is up in the image. */
+        const val POLE = 1e-5
+    }
 }
 
 /** The projection of a fitted camera, see [Camera.fit]. */

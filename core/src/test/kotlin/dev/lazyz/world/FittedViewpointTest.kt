@@ -162,6 +162,28 @@ class FittedViewpointTest {
         assertEquals(5.0, (flat.projection as Projection.Orthographic).height, 1e-12)
     }
 
+    /** The picture does not turn on the way to the pole, and stays upright there. */
+    @Test
+    fun nearThePoleTheRightSideIsThatOfTheAzimuth() {
+        for (origin in listOf(Vector3d(), Vector3d(1e5, 2e5, -3e5))) {
+            val triangle = floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 2f, 3f)
+            val scene = Scene(listOf(Mesh(triangle, intArrayOf(0, 1, 2), origin = origin)))
+            for (azimuth in listOf(0.0, 30.0, -135.0, 260.0)) {
+                val a = Math.toRadians(azimuth)
+                val expected = Vector3d(Math.cos(a), 0.0, -Math.sin(a))
+                for (elevation in listOf(20.0, 89.9, 89.999, 89.9999, 89.99995, 89.99999, 89.999999999, 90.0)) {
+                    for (sign in listOf(-1.0, 1.0)) {
+                        for (kind in Fit.entries) {
+                            val camera = Camera.fit(azimuth, sign * elevation, kind = kind).camera(scene, 1.0)
+                            val right = camera.toWorldDirection(1.0, 0.0, 0.0)
+                            assertEquals(0.0, right.distance(expected), 1e-5) { "$azimuth, $elevation, $kind: $right" }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
     /** Up to the widest angle, round bodies fill the image, and boxes from the usual direction. */
     @Test
     fun theWidestAngleFillsTheImage() {
