@@ -175,7 +175,7 @@ public class Camera private constructor(
      */
     internal fun withUpAxis(up: UpAxis): Camera {
         val eye = up.toWorld(eye)
-        val target = Vectors.minus(eye, up.toWorld(backward))
+        val target = up.toWorld(target)
         val upward = up.toWorld(upward)
         return when (projection) {
             is Projection.Perspective ->
