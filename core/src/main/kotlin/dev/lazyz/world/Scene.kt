@@ -140,7 +140,7 @@ public class Scene private constructor(
         val light = SceneLight(
             scaled(lights.ifEmpty { Light.studio(camera) }),
             scaled(lights),
-            if (lightIntensity == 1f) environment else Environment.studio(environment.intensity * lightIntensity),
+            scaled(environment),
             effectiveToneMapping,
             ambientVisibility,
         )
@@ -148,6 +148,12 @@ public class Scene private constructor(
         // A viewpoint can also return a camera of the screen, which has no other origin
         val shadingOrigin = if (camera.projection == Projection.Screen) Vectors.ZERO else origin
         return SetUp(raster, camera, light, shadingOrigin, workers)
+    }
+
+    private fun scaled(environment: Environment): Environment = if (lightIntensity == 1f) {
+        environment
+    } else {
+        Environment.studio(minOf(environment.intensity * lightIntensity, Float.MAX_VALUE))
     }
 
     private fun scaled(lights: List<Light>): List<Light> =

@@ -74,4 +74,18 @@ class SceneTest {
             assertEquals(expected, ZBuffer().render(hollow.withUpAxis(up).frame(40, 40))) { "$up" }
         }
     }
+
+    /** The product of both factors can be more than a float can hold. */
+    @Test
+    fun veryBrightEnvironmentsCanBeMadeBrighter() {
+        val metal = Mesh(
+            square(Vector3d()).positions, intArrayOf(0, 1, 2, 0, 2, 3), Material(Rgba.WHITE).asMetallicRoughness(),
+        )
+        fun picture(environment: Float, light: Float) = ZBuffer().render(
+            Scene(listOf(metal), viewpoint = Camera.fit(0.0, 0.0)).withEnvironment(Environment.studio(environment))
+                .withLightIntensity(light).frame(20, 20),
+        )
+        assertEquals(324, picture(1e30f, 1e30f).visible)
+        assertEquals(picture(1e30f, 1e30f), picture(Float.MAX_VALUE, 1e30f))
+    }
 }
