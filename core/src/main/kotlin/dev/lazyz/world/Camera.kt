@@ -267,7 +267,7 @@ public class Camera private constructor(
          *
          * @param azimuth degrees around the up axis; 0 looks at the front (from +z, y is up), 90 from +x
          * @param elevation degrees above the horizon, -90..90
-         * @param zoom above 0; 1 fills the image except for the margin, 2 shows half as much
+         * @param zoom 1e-9..1e9; 1 fills the image except for the margin, 2 shows half as much
          * @param kind perspective or orthographic
          * @param margin the part of the image that stays free on each side at zoom 1, percent of its width or height,
          *   0 or more and below 50
@@ -287,7 +287,7 @@ public class Camera private constructor(
         ): FittedViewpoint {
             require(azimuth.isFinite()) { "azimuth must be finite: $azimuth" }
             require(elevation in -90.0..90.0) { "elevation must be in -90..90 degrees: $elevation" }
-            require(zoom > 0.0 && zoom.isFinite()) { "zoom must be positive: $zoom" }
+            require(zoom in 1e-9..1e9) { "zoom must be in 1e-9..1e9: $zoom" }
             require(margin >= 0.0 && margin < 50.0) { "margin must be 0 or more and below 50 percent: $margin" }
             require(fieldOfView > 0.0 && fieldOfView <= MAX_FITTED_FIELD_OF_VIEW) {
                 "fieldOfView of a fitted camera must be above 0 and at most $MAX_FITTED_FIELD_OF_VIEW degrees: " +

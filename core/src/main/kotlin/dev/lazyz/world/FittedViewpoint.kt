@@ -25,7 +25,7 @@ import org.joml.Vector3d
  *
  * @property azimuth degrees around the up axis; 0 is the front (+z), 90 is +x
  * @property elevation degrees above the horizon, -90..90
- * @property zoom 1 fills the image except for the margin; larger values show a part
+ * @property zoom 1 fills the image except for the margin; larger values show a part, 1e-9..1e9
  * @property kind perspective or orthographic
  * @property margin the part of the image that stays free on each side at zoom 1, percent, 0 or more and below 50
  * @property fieldOfView vertical field of view of a perspective camera at zoom 1, degrees, above 0 and at most
@@ -106,7 +106,7 @@ public class FittedViewpoint internal constructor(
     /** Returns this rule with another direction above the horizon, degrees, -90..90. */
     public fun withElevation(elevation: Double): FittedViewpoint = copy(elevation = elevation)
 
-    /** Returns this rule with another zoom, above 0. */
+    /** Returns this rule with another zoom, 1e-9..1e9. */
     public fun withZoom(zoom: Double): FittedViewpoint = copy(zoom = zoom)
 
     /** Returns this rule with another projection. */

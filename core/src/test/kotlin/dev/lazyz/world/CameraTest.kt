@@ -115,6 +115,25 @@ class CameraTest {
         }
     }
 
+    /** Each zoom that is accepted gives a camera. */
+    @Test
+    fun zoomsHaveARange() {
+        val scene = Scene(listOf(Sphere(Vector3d(), 1.0)))
+        for (kind in Fit.entries) {
+            for (zoom in listOf(1e-9, 1e9)) {
+                for (angle in listOf(1.0, Camera.MAX_FITTED_FIELD_OF_VIEW)) {
+                    val camera = Camera.fit(zoom = zoom, kind = kind, fieldOfView = angle).camera(scene, 1.0)
+                    assertTrue(camera.projectionMatrix(1.0).isFinite) { "$camera" }
+                }
+            }
+            for (zoom in listOf(1e-17, 0.99e-9, 1.01e9, 1e308, -1.0, Double.NaN, Double.POSITIVE_INFINITY)) {
+                val fit = Camera.fit(kind = kind)
+                val refused = assertThrows(IllegalArgumentException::class.java) { fit.withZoom(zoom) }
+                assertEquals("zoom must be in 1e-9..1e9: $zoom", refused.message)
+            }
+        }
+    }
+
     @Test
     fun rule_1_1_theCentreIsTheMiddleAndYGrowsDownward() {
         val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), up, 4.0, 1.0, 9.0)
