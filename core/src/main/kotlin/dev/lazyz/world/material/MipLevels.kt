@@ -1,5 +1,6 @@
 package dev.lazyz.world.material
 
+import dev.lazyz.Rgba
 import kotlin.math.ceil
 
 /**
@@ -15,6 +16,14 @@ internal class MipLevels(val image: TextureLevel) {
 
     /** Whether any texel of the image is not fully opaque. */
     val hasAlpha: Boolean by lazy { image.argb.any { it ushr 24 != 0xFF } }
+
+    /** The mean of all texels of the image, from their sums: levels with few texels round alpha too much. */
+    val mean: Rgba by lazy {
+        val sums = DoubleArray(CHANNELS)
+        for (row in 0 until image.height) addRow(image, row, 1.0, 1, sums)
+        val alpha = (sums[ALPHA] / (255.0 * sums[AREA])).toFloat()
+        Rgba(mean(sums, 0, 0), mean(sums, 0, 1), mean(sums, 0, 2), alpha)
+    }
 
     private val smaller: List<TextureLevel> by lazy {
         generateSequence(image) { if (it.width * it.height == 1) null else half(it) }.drop(1).toList()
@@ -36,7 +45,7 @@ internal class MipLevels(val image: TextureLevel) {
             for (row in top.toInt() until minOf(ceil(bottom).toInt(), from.height)) {
                 addRow(from, row, minOf(row + 1.0, bottom) - maxOf(row.toDouble(), top), width, sums)
             }
-            for (x in 0 until width) argb[y * width + x] = mean(from, sums, CHANNELS * x)
+            for (x in 0 until width) argb[y * width + x] = texel(from, sums, CHANNELS * x)
         }
         return TextureLevel(width, height, argb, from.encoding)
     }
@@ -56,27 +65,30 @@ internal class MipLevels(val image: TextureLevel) {
                     sums[at + channel] += alpha * value
                     sums[at + PLAIN + channel] += area * value
                 }
-                sums[at + 3] += alpha
+                sums[at + ALPHA] += alpha
                 sums[at + AREA] += area
             }
         }
     }
 
-    /** Returns the mean of the sums from [at] on, as a texel. Without alpha, the colour is the plain mean. */
-    private fun mean(from: TextureLevel, sums: DoubleArray, at: Int): Int {
-        val alpha = sums[at + 3]
-        val first = if (alpha > 0.0) at else at + PLAIN
-        val total = if (alpha > 0.0) alpha else sums[at + AREA]
-        val opacity = (alpha / sums[at + AREA] + 0.5).toInt()
-        return opacity shl 24 or (code(from, sums[first] / total) shl 16) or
-            (code(from, sums[first + 1] / total) shl 8) or code(from, sums[first + 2] / total)
+    /** Returns the mean of the sums from [at] on, as a texel. */
+    private fun texel(from: TextureLevel, sums: DoubleArray, at: Int): Int {
+        val opacity = (sums[at + ALPHA] / sums[at + AREA] + 0.5).toInt()
+        return opacity shl 24 or (from.encoded(mean(sums, at, 0)) shl 16) or
+            (from.encoded(mean(sums, at, 1)) shl 8) or from.encoded(mean(sums, at, 2))
     }
 
-    private fun code(from: TextureLevel, value: Double): Int = from.encoded(minOf(value, 1.0).toFloat())
+    /** Returns the mean of a colour channel, linear, of the sums from [at] on. Without alpha, it is the plain mean. */
+    private fun mean(sums: DoubleArray, at: Int, channel: Int): Float {
+        val alpha = sums[at + ALPHA]
+        val mean = if (alpha > 0.0) sums[at + channel] / alpha else sums[at + PLAIN + channel] / sums[at + AREA]
+        return minOf(mean, 1.0).toFloat()
+    }
 
     companion object {
         /** Sums of a texel: red, green, blue times alpha; alpha; red, green, blue; area. */
         private const val CHANNELS = 8
+        private const val ALPHA = 3
         private const val PLAIN = 4
         private const val AREA = 7
 

@@ -116,8 +116,11 @@ public class Texture private constructor(
     /** Whether any texel is not fully opaque. Cost: one pass over the texels, once. */
     public val hasAlpha: Boolean get() = levels.hasAlpha
 
-    /** The mean of all texels in linear light, weighted by alpha. Cost: that of the mip levels, once. */
-    public val meanColor: Rgba get() = Rgba.ofArgb(levels[levels.last].argb[0])
+    /**
+     * The mean of all texels in linear light, weighted by alpha; if all are transparent, the plain mean. Its alpha is
+     * the mean of theirs. Cost: one pass over the texels, once.
+     */
+    public val meanColor: Rgba get() = levels.mean
 
     /**
      * Returns the texel at column [x] and row [y] as `0xAARRGGBB`.

@@ -150,4 +150,49 @@ class TextureTest {
         assertEquals("texture of 2 x 3 needs 6 texels: 5", message(2, 3, 5))
         assertThrows(IllegalArgumentException::class.java) { Texture(65536, 65536, IntArray(0)) }
     }
+
+    private fun assertMean(expected: Rgba, texture: Texture) {
+        val mean = texture.meanColor
+        assertEquals(expected.red, mean.red, 1e-6f) { "$texture" }
+        assertEquals(expected.green, mean.green, 1e-6f) { "$texture" }
+        assertEquals(expected.blue, mean.blue, 1e-6f) { "$texture" }
+        assertEquals(expected.alpha, mean.alpha, 1e-6f) { "$texture" }
+    }
+
+    /** The mean by the definition: linear light, weighted by alpha. */
+    private fun mean(texture: Texture): Rgba {
+        val texels = (0 until texture.height).flatMap { y ->
+            (0 until texture.width).map { x -> linear(texture, x, y) }
+        }
+        val alpha = texels.sumOf { it.alpha.toDouble() }
+        fun channel(value: (Rgba) -> Float) = (texels.sumOf { value(it).toDouble() * it.alpha } / alpha).toFloat()
+        return Rgba(channel(Rgba::red), channel(Rgba::green), channel(Rgba::blue), (alpha / texels.size).toFloat())
+    }
+
+    @Test
+    fun theMeanColorIsThatOfAllTexels() {
+        val random = Random(8)
+        for ((width, height) in listOf(1 to 1, 1 to 7, 5 to 3, 64 to 64, 100 to 37)) {
+            val texture = Texture(width, height, IntArray(width * height) { random.nextInt() })
+            assertMean(mean(texture), texture)
+        }
+    }
+
+    @Test
+    fun theMeanColorOfNumbersIsTheirMean() {
+        val grey = Texture(4, 4, IntArray(16) { 0xFF804020.toInt() }, encoding = TextureEncoding.LINEAR)
+        assertMean(Rgba(128 / 255f, 64 / 255f, 32 / 255f), grey)
+    }
+
+    @Test
+    fun theMeanColorIsThatOfTheOnlyVisibleTexel() {
+        val texels = IntArray(256 * 256)
+        texels[0] = 0xFFFF0000.toInt()
+        assertMean(Rgba(1f, 0f, 0f, 1f / 65536), Texture(256, 256, texels))
+    }
+
+    @Test
+    fun theMeanColorOfInvisibleTexelsIsThePlainMean() {
+        assertMean(Rgba(0.5f, 0f, 1f, 0f), Texture(2, 1, intArrayOf(0x00FF00FF, 0x000000FF)))
+    }
 }
