@@ -30,8 +30,11 @@ object BrokenShading {
 
     fun flatInterpolation() = wrong("interpolates-on-the-screen", Inside.Companion::interpolateOnScreen)
 
+    /** More than a cutoff is rounded by, and less than one step of a texture's alpha. */
+    private const val ABOVE = 1f + 1f / (1 shl 16)
+
     fun strictMask() = wrong("mask-is-strict") { inside, changes ->
-        inside.mask?.let { changes.set(it, "cutoff", Math.nextUp(Inside.read(it, "cutoff") as Float)) }
+        inside.mask?.let { changes.set(it, "cutoff", (Inside.read(it, "cutoff") as Float) * ABOVE) }
     }
 
     fun vertexAlphaIgnored() = blending("vertex-alpha-ignored") { inside, changes ->

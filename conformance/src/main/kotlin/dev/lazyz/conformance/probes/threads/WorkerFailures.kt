@@ -62,9 +62,12 @@ private const val ATTEMPTS = 5
 
 /**
  * Fails unless [renderer], if its caller is interrupted while its own threads still work, returns the whole picture or
- * throws InterruptedException.
+ * throws InterruptedException. How far the threads are is different in each attempt.
  */
-internal fun completesOrThrowsIfInterrupted(renderer: Renderer, isBefore: Boolean) {
+internal fun completesOrThrowsIfInterrupted(renderer: Renderer, isBefore: Boolean) =
+    repeat(ATTEMPTS) { completesOrThrowsOnce(renderer, isBefore) }
+
+private fun completesOrThrowsOnce(renderer: Renderer, isBefore: Boolean) {
     val quiet = Workers.quiet()
     val rendering = InterruptedCaller(renderer, isBefore)
     val thread = Thread(rendering, "lazyz-interrupted")

@@ -34,8 +34,12 @@ internal object ColourGallery {
             "a surface without texture coordinates has those of another one",
             RuleNames.oneShader,
         ),
-        Mutant(BrokenRenderers::shadesTheNeighbour, "shades the sample to the left", nearest, own),
-        Mutant(BrokenColours::constantColour, "shades a column once, in the primitive's first row", nearest, own),
+        Mutant(BrokenRenderers::shadesTheNeighbour, "shades the sample to the left", nearest, own, flecks),
+        Mutant(
+            BrokenColours::constantColour,
+            "shades a column once, in the primitive's first row",
+            nearest, own, flecks,
+        ),
         Mutant(
             BrokenColours::fillsBetweenEqualEnds,
             "shows the colour of both neighbours where they have the same",

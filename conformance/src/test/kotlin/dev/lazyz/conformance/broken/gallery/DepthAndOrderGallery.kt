@@ -54,7 +54,7 @@ internal object DepthAndOrderGallery {
         ),
         Mutant(BrokenDepths::throughFloat, "depth goes through a float", nearest, scenes),
         Mutant(BrokenDepths::in24Bits, "depth has 24 bits", nearest, own),
-        Mutant(BrokenDepths::formsInDouble, "linear forms are evaluated in floating point", own),
+        Mutant(BrokenDepths::formsInDouble, "linear forms are evaluated in floating point", own, nearest),
         Mutant(
             BrokenDepths::roundedDown,
             "half a unit is subtracted, as if forms were not rounded yet",
