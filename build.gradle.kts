@@ -37,14 +37,18 @@ configure(subprojects.filter { it.name != "bom" }) {
         archivesName = "lazyz-${project.name}"
     }
 
+    // The last lists the public API, see PublicApiTest
     dependencies {
         "testImplementation"(platform(catalog.junit.bom))
         "testImplementation"(catalog.junit.jupiter)
         "testImplementation"(catalog.jqwik)
         "testRuntimeOnly"(catalog.junit.platform.launcher)
+        "testImplementation"(catalog.abi.tools)
     }
 
     configure<KotlinJvmProjectExtension> {
+        // What tests of all modules share, and the tests that each module runs
+        sourceSets["test"].kotlin.srcDir(rootProject.file("core/src/sharedTest/kotlin"))
         compilerOptions {
             allWarningsAsErrors = true
             // For users with an older Kotlin: Kotlin 2.1 reads classes of 2.2, and has all functions of 2.1
@@ -93,6 +97,7 @@ configure(subprojects.filter { it.name != "bom" }) {
 
     configure<SpotlessExtension> {
         kotlin {
+            target("src/*/kotlin/**/*.kt")
             ktlint(catalog.versions.ktlint.get())
         }
         java {

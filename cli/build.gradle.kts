@@ -15,10 +15,6 @@ dependencies {
     implementation(libs.jqwik)
     implementation(libs.clikt)
     implementation(libs.mordant)
-    testImplementation(project(":testing"))
-    testImplementation(project(":server"))
-    testImplementation(project(":spark"))
-    testImplementation(libs.abi.tools)
 }
 
 tasks.named<Jar>("fatJar") {
@@ -38,7 +34,7 @@ tasks.assemble {
 
 tasks.test {
     inputs.dir("src/main/sh")
-    // BuildsAgreeTest, PublicApiTest and PackageTextsTest read them
+    // BuildsAgreeTest and PackageTextsTest read them
     inputs.files(
         rootProject.fileTree(rootDir) {
             include("*.kts", "*.properties", "pom.xml", "gradle/*.toml", "*/build.gradle.kts", "*/pom.xml", "*/api/*")

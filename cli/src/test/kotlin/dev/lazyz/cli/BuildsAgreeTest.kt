@@ -175,6 +175,14 @@ class BuildsAgreeTest {
     }
 
     @Test
+    fun sharedTests() {
+        val maven = Regex("""<sourceDir>\$\{maven.multiModuleProjectDirectory}/(.*)</sourceDir>""")
+        val gradle = Regex("""kotlin.srcDir\(rootProject.file\("(.*)"\)\)""").find(gradleRoot)!!.groupValues[1]
+        assertEquals(maven.find(text("pom.xml"))!!.groupValues[1], gradle)
+        assertTrue(root.resolve(gradle).exists(), gradle)
+    }
+
+    @Test
     fun jvmsOfTests() {
         val maven = surefire.child("configuration").value("forkCount")
         assertEquals(maven, Regex("""maxParallelForks = (\d+)""").find(gradleRoot)?.groupValues?.get(1))

@@ -12,6 +12,7 @@ import dev.lazyz.scenes.PictureSettings
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Fit
 import dev.lazyz.world.View
 import java.nio.file.Path
 import kotlin.io.path.writeBytes
@@ -51,15 +52,24 @@ class PictureSettingsTest {
         assertSame(scene, usual)
     }
 
+    /** As many as the parameters of the render service, which mean the same: see its `ParametersTest`. */
     @Test
     fun settingsAreTheOptionsOfZcli() {
         val model = folder.wedge()
-        assertSame(model, usual.withViewpoint(Camera.fit(View.TOP.azimuth, View.TOP.elevation)), "--view", "top")
-        assertSame(model, usual.withUp(UpAxis.Z), "--up", "z")
+        assertSame(model, usual.withViewpoint(Camera.fit(View.ISO.azimuth, View.ISO.elevation)), "--view", "iso")
+        assertSame(model, usual.withViewpoint(Camera.fit(5.0, 90.0)), "--view", "top", "--azimuth", "5")
+        assertSame(model, usual.withViewpoint(Camera.fit(12.5, -30.0)), "--azimuth", "12.5", "--elevation", "-30")
+        assertSame(model, usual.withViewpoint(Camera.fit(kind = Fit.ORTHOGRAPHIC)), "--projection", "orthographic")
+        assertSame(model, usual.withViewpoint(Camera.fit(margin = 20.0)), "--margin", "20")
+        assertSame(model, usual.withViewpoint(Camera.fit(zoom = 2.5)), "--zoom", "2.5")
+        for (up in listOf(UpAxis.Z, UpAxis.MINUS_Z)) assertSame(model, usual.withUp(up), "--up", up.id)
+        assertSame(model, usual.withLight(LightRig.THREE_POINT), "--light", "three-point")
         val sunny = usual.withLight(LightRig.SUN).withLightIntensity(0.5f)
         assertSame(model, sunny, "--light", "sun", "--light-intensity", "0.5")
+        assertSame(model, usual.withLightIntensity(0.5f), "--light-intensity", "0.5")
         assertSame(model, usual.withBackground(Rgba.TRANSPARENT), "--background", "transparent")
-        assertSame(model, usual.withSampling(SuperSampling(2)), "--aa", "2")
+        assertSame(model, usual.withBackground(Rgba.ofRgb(0xFF8800)), "--background", "f80")
+        for (factor in listOf(1, 2, 8)) assertSame(model, usual.withSampling(SuperSampling(factor)), "--aa", "$factor")
     }
 
     /** An STL file lies on the plane of x and y, also if only its content says what it is. */
