@@ -11,7 +11,8 @@ import org.joml.Vector3dc
 
 /**
  * Reads the ASCII form: any number of solids, each a sequence of facets. Line breaks can be anywhere; only a solid's
- * name ends at one. A word that begins with `#` begins a comment, which ends with the line. The format allows three
+ * name ends at one. `endsolid`, `endfacet` and `endloop` can be two words, and the name can follow `endsolid` without a
+ * space. A word that begins with `#` begins a comment, which ends with the line. The format allows three
  * vertices in a loop. Some programs write more; such a loop is triangulated. A missing `endsolid` at the end of the
  * file is reported as a warning.
  *
@@ -57,7 +58,7 @@ internal class StlAscii(
             if (lines.isWord("facet")) {
                 facet(solid)
                 hasFacets = true
-            } else if (lines.isWord("endsolid")) {
+            } else if (isEnd("solid") || lines.beginsWith("endsolid")) {
                 lines.endLine()
                 return
             } else {
@@ -74,12 +75,13 @@ internal class StlAscii(
         corners.clear()
         while (true) {
             take("vertex or endloop")
-            if (lines.isWord("endloop")) break
+            if (isEnd("loop")) break
             if (!lines.isWord("vertex")) fail("\"${word()}\" stands where vertex or endloop should")
             for (axis in 0 until 3) corners.add(coordinate(axis))
         }
         if (corners.size < 9) fail("the loop has ${corners.size / 3} vertices, not 3")
-        expect("endfacet")
+        take("endfacet")
+        if (!isEnd("facet")) fail("\"${word()}\" stands where endfacet should")
 
         if (corners.size == 9) {
             for (corner in 0 until 3) add(corner, solid)
@@ -113,6 +115,13 @@ internal class StlAscii(
             )
         }
         isPeeked = false
+    }
+
+    /** Whether the word ends a [part], such as `endloop`, or `end` and then `loop`; in that case, takes both words. */
+    private fun isEnd(part: String): Boolean {
+        if (!lines.isWord("end")) return lines.isWord("end$part")
+        expect(part)
+        return true
     }
 
     private fun word(): String = lines.word().lowercase()

@@ -2,12 +2,14 @@ package dev.lazyz.scenes.stl
 
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.TextEncoding
+import java.io.InputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /**
  * Reads the binary form: a header of 80 bytes, a count, and 50 bytes for each facet, little endian. For the last two
- * bytes of a facet see [StlColors].
+ * bytes of a facet see [StlColors]. The format first meant them as the number of bytes that follow the facet; they are
+ * that if the size of the file fits.
  */
 internal object StlBinary {
     private const val HEADER = 80
@@ -21,6 +23,9 @@ internal object StlBinary {
     /** Bytes of the normal, three numbers. */
     const val NORMAL: Int = 12
     private const val WORD = 48
+
+    /** Facets after which the limits are checked. */
+    const val CHECKED: Int = 1 shl 14
 
     /** Number of bytes to search for what does, or does not, occur in text. */
     private const val PROBE = 1024
@@ -53,24 +58,30 @@ internal object StlBinary {
     /** Reads the single solid of the file. */
     fun read(source: Source): Solid {
         val bytes = source.bytes
-        val count = countOf(source, bytes.size.toLong()).toInt()
-        val end = FACETS + FACET * count
         val buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
-        val colors = colors(source, buffer, end)
-        val solid = Solid("", count, colors?.palette)
-        for (facet in FACETS until end step FACET) {
-            for (corner in 0 until 3) {
-                val at = facet + NORMAL + corner * 12
-                solid.add(buffer.getFloat(at), buffer.getFloat(at + 4), buffer.getFloat(at + 8))
-            }
+        val layout = layout(source, bytes.size.toLong(), bytes::inputStream)
+        val colors = if (layout.hasPayload) null else colors(source, buffer, layout.count.toInt())
+        val solid = Solid("", layout.count.toInt(), colors?.palette)
+        var facet = FACETS
+        repeat(layout.count.toInt()) {
+            addCorners(buffer, facet, solid)
             if (colors != null) solid.color(colors.of(word(buffer, facet)))
+            facet += FACET + (if (layout.hasPayload) word(buffer, facet) else 0)
         }
         return solid
     }
 
-    private fun colors(source: Source, buffer: ByteBuffer, end: Int): StlColors? {
+    /** Adds the corners of the facet that begins at [facet] to [solid]. */
+    fun addCorners(buffer: ByteBuffer, facet: Int, solid: CornerSink) {
+        for (corner in 0 until 3) {
+            val at = facet + NORMAL + corner * 12
+            solid.add(buffer.getFloat(at), buffer.getFloat(at + 4), buffer.getFloat(at + 8))
+        }
+    }
+
+    private fun colors(source: Source, buffer: ByteBuffer, count: Int): StlColors? {
         val words = StlWords()
-        for (facet in FACETS until end step FACET) words.add(word(buffer, facet))
+        for (facet in FACETS until FACETS + FACET * count step FACET) words.add(word(buffer, facet))
         return StlColors.of(source, words)
     }
 
@@ -78,10 +89,10 @@ internal object StlBinary {
     fun word(buffer: ByteBuffer, facet: Int): Int = buffer.getShort(facet + WORD).toInt() and 0xFFFF
 
     /**
-     * Returns the number of facets of a file of [size] bytes, of which [source] has at least the header. Fails if they
-     * are not all there.
+     * Returns the number of facets of a file of [size] bytes, of which [source] has at least the header, and whether
+     * bytes follow each. Fails if the facets are not all there. [open] opens the file once more.
      */
-    fun countOf(source: Source, size: Long): Long {
+    fun layout(source: Source, size: Long, open: () -> InputStream): StlLayout {
         if (size < FACETS) {
             source.fail(
                 "byte $size",
@@ -89,17 +100,58 @@ internal object StlBinary {
                 "export the model again; an ASCII file would begin with \"solid\"",
             )
         }
-        val count = announced(source.bytes)
+        val announced = announced(source.bytes)
         val present = (size - FACETS) / FACET
-        if (present < count) {
+        if (present < announced) {
             source.fail(
                 "byte $size",
-                "the file ends within facet $present of the $count that byte $HEADER announces",
+                "the file ends within facet $present of the $announced that byte $HEADER announces",
                 "export or copy the model again",
             )
         }
+
+        // Some programs leave the count at 0, because they do not know it when they begin to write
+        val count = if (announced == 0L) present else announced
+        if (announced < count) source.warn("byte $HEADER announces 0 facets; the $count that the file has are read")
         val rest = size - FACETS - FACET * count
-        if (rest > 0) source.warn("$rest bytes after the last of $count facets are passed over")
-        return count
+        val hasPayload = rest > 0 && payload(source, count, size, open) == rest
+        if (hasPayload) {
+            source.warn("the attributes of $count facets, $rest bytes, are not used")
+        } else if (rest > 0) {
+            source.warn("$rest bytes after the last of $count facets are passed over")
+        }
+        return StlLayout(count, hasPayload)
+    }
+
+    /** Returns how many bytes the words announce if each facet is followed by them; -1 if the file is too short. */
+    private fun payload(source: Source, count: Long, size: Long, open: () -> InputStream): Long {
+        var end = FACETS.toLong()
+        eachFacet(source, count, open) { facet ->
+            end += FACET + word(facet, 0)
+            if (end > size) return -1
+        }
+        return end - FACETS - FACET * count
+    }
+
+    /** Calls [use] with each of [count] facets that are followed by as many bytes as their words say. */
+    inline fun eachFacet(source: Source, count: Long, open: () -> InputStream, use: (ByteBuffer) -> Unit) {
+        val facet = ByteBuffer.allocate(FACET).order(ByteOrder.LITTLE_ENDIAN)
+        open().buffered().use { bytes ->
+            bytes.skipNBytes(FACETS.toLong())
+            for (number in 0 until count) {
+                if (number % CHECKED == 0L) source.loading.decode(source, 0)
+                bytes.readNBytes(facet.array(), 0, FACET)
+                use(facet)
+                bytes.skipNBytes(word(facet, 0).toLong())
+            }
+        }
     }
 }
+
+/**
+ * Where the facets of a binary file are.
+ *
+ * @property count number of facets
+ * @property hasPayload whether each is followed by as many bytes as its word says, instead of directly by the next one
+ */
+internal class StlLayout(val count: Long, val hasPayload: Boolean)

@@ -6,17 +6,22 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.Palette
 
 /**
- * The colours in the 16-bit words after a binary file's facets. There are two kinds (A. F. van der Geest, "Colour STL",
+ * The colours in the 16-bit words after a binary file's facets. There are three kinds (A. F. van der Geest, "Colour STL",
  * about 1999, and Materialise, "Colour in binary STL", as described in the manuals of VisCAM and Magics).
  *
  * - Materialise Magics: the header contains `COLOR=`, then red, green, blue and alpha of the whole solid, one byte
  *   each. A word with bit 15 clear is a facet's own colour: 5 bits each of red (the lowest), green and blue.
+ * - MeshLab: the header contains `COLOR=` and a grey, whether or not facets have colours. A word with bit 15 set is a
+ *   facet's colour, with red in the lowest bits.
  * - VisCAM, SolidView: the header does not contain `COLOR=`. A word with bit 15 set is a facet's colour: 5 bits each of
  *   blue (the lowest), green and red.
  *
- * Words that are all zero are not colours of either kind. Without `COLOR=`, words are colours only if one of them has
- * bit 15 set and is not black, and if those with bit 15 clear are all the same, because some programs store other
- * numbers there. All colours are sRGB-encoded. Alpha is ignored.
+ * With `COLOR=`, a word that is not zero and has bit 15 clear shows that the file is of the first kind; otherwise a word
+ * with bit 15 set that is neither black nor white shows that it is of the second. If there is neither, the colour of
+ * the whole counts only if all facets refer to it, by bit 15: MeshLab writes that header for models without colours,
+ * too. Without `COLOR=`, words are colours only if one of them has bit 15 set and is not black, and if those with
+ * bit 15 clear are all the same, because some programs store other numbers there. All colours are sRGB-encoded. Alpha
+ * is ignored.
  *
  * @property palette the colours whose numbers [of] returns
  */
@@ -25,20 +30,20 @@ internal class StlColors private constructor(
     private val wholeColor: Int,
     val palette: Palette
 ) {
-    private enum class Kind { WHOLE_ONLY, MAGICS, VISCAM }
+    private enum class Kind { MAGICS, MESHLAB, VISCAM }
 
     private val numbers = IntArray(1 shl COLOR_BITS) { -1 }
 
     /** Returns the number of the colour of a facet with the given word, or -1 if it has none. */
     fun of(word: Int): Int {
-        if (kind == Kind.WHOLE_ONLY || (kind == Kind.MAGICS) == (word and VALID != 0)) return wholeColor
+        if ((kind == Kind.MAGICS) == (word and VALID != 0)) return wholeColor
         val code = word and VALID - 1
         if (numbers[code] < 0) {
             val low = level(code)
             val middle = level(code shr 5)
             val high = level(code shr 10)
             numbers[code] =
-                if (kind == Kind.MAGICS) palette.add(low, middle, high, 1f) else palette.add(high, middle, low, 1f)
+                if (kind == Kind.VISCAM) palette.add(high, middle, low, 1f) else palette.add(low, middle, high, 1f)
         }
         return numbers[code]
     }
@@ -57,21 +62,24 @@ internal class StlColors private constructor(
             val at = (0..HEADER - mark.size - 4).firstOrNull { start ->
                 mark.indices.all { source.bytes[start + it] == mark[it] }
             }
-            if (at != null) {
-                val palette = Palette()
-                val (red, green, blue) = List(3) {
-                    SrgbDecoding.decodeByte(source.bytes[at + mark.size + it].toInt() and 0xFF)
-                }
-                val whole = palette.add(red, green, blue, 1f)
-
-                // Programs that write only zeros give a colour to the whole solid, not to its facets
-                return StlColors(if (words.nonZero > 0) Kind.MAGICS else Kind.WHOLE_ONLY, whole, palette)
+            val kind = when {
+                at == null -> Kind.VISCAM.takeIf { words.areVisCam }
+                words.hasUnmarked || (words.areMarked && !words.hasMarkedColors) -> Kind.MAGICS
+                else -> Kind.MESHLAB.takeIf { words.hasMarkedColors }
             }
-            if (words.areVisCam) return StlColors(Kind.VISCAM, -1, Palette())
+            if (kind == Kind.MAGICS) return magics(source, checkNotNull(at) + mark.size)
+            if (kind != null) return StlColors(kind, -1, Palette())
             if (words.nonZero > 0) {
                 source.warn("the attribute words of ${words.nonZero} facets are not used, for they are no colours")
             }
             return null
+        }
+
+        /** Returns the colours of a Magics file, whose colour of the whole begins at byte [at]. */
+        private fun magics(source: Source, at: Int): StlColors {
+            val palette = Palette()
+            val (red, green, blue) = List(3) { SrgbDecoding.decodeByte(source.bytes[at + it].toInt() and 0xFF) }
+            return StlColors(Kind.MAGICS, palette.add(red, green, blue, 1f), palette)
         }
     }
 }

@@ -26,7 +26,7 @@ internal object StlStreaming {
     /** Opens [input], whose first bytes [source] has. */
     fun open(source: Source, input: StreamedInput): MeshSource {
         val isBinary = StlBinary.isBinary(source.bytes, input.file.size)
-        val mesh = if (isBinary) binary(source, input.file) else ascii(source, input)
+        val mesh = if (isBinary) binary(source, input) else ascii(source, input)
         if (mesh.triangleCount == 0) source.warn("there are no facets, so there is nothing to see")
         return mesh
     }
@@ -55,9 +55,12 @@ internal object StlStreaming {
         return spool
     }
 
-    private fun binary(source: Source, file: FileBytes): FacetFile {
-        val count = StlBinary.countOf(source, file.size)
+    private fun binary(source: Source, input: StreamedInput): FacetFile {
+        val file = input.file
+        val layout = StlBinary.layout(source, file.size, input::bytes)
+        val count = layout.count
         if (count > FacetSpool.MOST) source.fail(null, "has $count facets, at most ${FacetSpool.MOST}", "split it")
+        if (layout.hasPayload) return withoutPayload(source, input, count)
         source.loading.streamed(source, count)
         source.loading.streamedVertices(source, 3 * count)
 
@@ -79,6 +82,16 @@ internal object StlStreaming {
             file, StlBinary.FACETS.toLong(), StlBinary.FACET, StlBinary.NORMAL, count.toInt(), Vector3d(), boxes,
             StlColors.of(source, words)?.let(::FacetWords),
         )
+    }
+
+    /** Copies the [count] facets without the bytes that follow each of them. */
+    private fun withoutPayload(source: Source, input: StreamedInput, count: Long): FacetFile {
+        val spool = input.spool(source, Vector3d())
+        StlBinary.eachFacet(source, count, input::bytes) { facet ->
+            source.loading.streamedVertices(source, 3)
+            StlBinary.addCorners(facet, 0, spool::add)
+        }
+        return spool.finish()
     }
 
     /** What is known of [count] facets of a binary file, from number [first] on, after a look at all of them. */

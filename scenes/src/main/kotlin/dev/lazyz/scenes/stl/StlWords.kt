@@ -6,6 +6,18 @@ internal class StlWords {
     var nonZero = 0
         private set
 
+    /** Whether a word with bit 15 clear is not zero. */
+    var hasUnmarked = false
+        private set
+
+    /** Whether a word with bit 15 set is neither black nor white, which programs write for "no colour". */
+    var hasMarkedColors = false
+        private set
+
+    /** Whether bit 15 of all words is set. */
+    var areMarked = true
+        private set
+
     private var hasColors = false
     private var firstOther = -1
     private var areOthersEqual = true
@@ -18,6 +30,9 @@ internal class StlWords {
 
     fun add(word: Int) {
         if (word != 0) nonZero++
+        if (word in 1 until BLACK) hasUnmarked = true
+        if (word in BLACK + 1 until WHITE) hasMarkedColors = true
+        if (word < BLACK) areMarked = false
         if (word > BLACK) hasColors = true
         if (word >= BLACK) return
         if (firstOther < 0) firstOther = word
@@ -27,6 +42,9 @@ internal class StlWords {
     /** Adds the words of [other], which follow. */
     fun add(other: StlWords) {
         nonZero += other.nonZero
+        hasUnmarked = hasUnmarked || other.hasUnmarked
+        hasMarkedColors = hasMarkedColors || other.hasMarkedColors
+        areMarked = areMarked && other.areMarked
         hasColors = hasColors || other.hasColors
         areOthersEqual = areOthersEqual && other.areOthersEqual &&
             (firstOther < 0 || other.firstOther < 0 || firstOther == other.firstOther)
@@ -36,5 +54,8 @@ internal class StlWords {
     private companion object {
         /** Bit 15 alone, the colour black. */
         const val BLACK = 1 shl 15
+
+        /** All bits set, the colour white. */
+        const val WHITE = 0xFFFF
     }
 }

@@ -117,12 +117,15 @@ internal class TextLines(private val window: ByteWindow, position: Int = 0, firs
     }
 
     /** Whether the word that was read last equals [word], ignoring case. [word] must be lower-case ASCII. */
-    fun isWord(word: String): Boolean {
-        if (wordEnd - wordStart != word.length) return false
-        for (i in word.indices) {
+    fun isWord(word: String): Boolean = wordEnd - wordStart == word.length && beginsWith(word)
+
+    /** Whether the word that was read last begins with [start], ignoring case. [start] must be lower-case ASCII. */
+    fun beginsWith(start: String): Boolean {
+        if (wordEnd - wordStart < start.length) return false
+        for (i in start.indices) {
             val byte = bytes[wordStart + i].toInt()
             val isUpper = byte >= 'A'.code && byte <= 'Z'.code
-            if ((if (isUpper) byte + ('a' - 'A') else byte) != word[i].code) return false
+            if ((if (isUpper) byte + ('a' - 'A') else byte) != start[i].code) return false
         }
         return true
     }

@@ -30,7 +30,11 @@ internal object TextNumbers {
         }
     }
 
-    /** Returns a remedy for [word], which is not a number, or null. */
-    fun remedy(word: String): String? =
-        if (',' in word) "write numbers with a decimal point, not a comma" else null
+    /** Returns a remedy for [word], which is not a number, or null. A comma that is not between digits is no decimal one. */
+    fun remedy(word: String): String? = when {
+        ',' !in word -> null
+        '.' in word || word.count { it == ',' } > 1 || word.startsWith(',') || word.endsWith(',') ->
+            "write spaces between numbers, not commas"
+        else -> "write numbers with a decimal point, not a comma"
+    }
 }

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.threemf
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.TextNumbers
 import java.io.IOException
 import java.io.InputStream
 import javax.xml.stream.XMLInputFactory
@@ -82,7 +83,7 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
     fun float(value: String): Float = try {
         java.lang.Float.parseFloat(value)
     } catch (_: NumberFormatException) {
-        fail("\"$value\" is not a number")
+        fail("\"$value\" is not a number", TextNumbers.remedy(value) ?: "export the model again")
     }
 
     fun fail(problem: String, remedy: String = "export the model again", cause: Throwable? = null): Nothing =

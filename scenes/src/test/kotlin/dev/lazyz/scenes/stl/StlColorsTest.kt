@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test
 
 class StlColorsTest {
     private val square = listOf(0f, 0f, 0f, 1f, 0f, 0f, 1f, 1f, 0f)
+    private val meshLab = "COLOR=".toByteArray() + ByteArray(3) { 0x7F } + " MATERIAL=".toByteArray() + ByteArray(11) { 0x7F }
     private val magics = "by hand COLOR=".toByteArray() + byteArrayOf(0, -1, 0, -1) + ",MATERIAL=".toByteArray()
 
     /** A strip of facets with the given words. */
@@ -52,7 +53,22 @@ class StlColorsTest {
     fun magicsHasRedInTheLowestBitsAndAColourOfTheWhole() {
         val codes = colors(file(0x7C00, 0x03E0, 0x001F, 0x8000, 0xFFFF, 0, header = magics))
         assertEquals(listOf("FF0000FF", "FF00FF00", "FFFF0000", "FF00FF00", "FF00FF00", "FF000000"), codes)
-        assertEquals(listOf("FF00FF00", "FF00FF00"), colors(file(0, 0, header = magics)))
+        assertEquals(listOf("FF00FF00", "FF00FF00"), colors(file(0x8000, 0xFFFF, header = magics)))
+    }
+
+    @Test
+    fun theColourOfTheWholeIsNoneIfNoFacetHasOrWantsOne() {
+        for (header in listOf(magics, meshLab)) assertNull(mesh(file(0, 0, header = header)).colors)
+        val warning = "test: the attribute words of 1 facets are not used, for they are no colours"
+        for (word in listOf(0x8000, 0xFFFF)) {
+            assertNull(mesh(file(0, word, header = meshLab), listOf(warning)).colors)
+        }
+    }
+
+    @Test
+    fun meshLabMarksColoursInItsHeadersOwnOrder() {
+        val codes = colors(file(0xFC00, 0x83E0, 0x801F, 0, 0x8000, 0xFFFF, header = meshLab))
+        assertEquals(listOf("FF0000FF", "FF00FF00", "FFFF0000", "FFFFFFFF", "FF000000", "FFFFFFFF"), codes)
     }
 
     @Test
@@ -75,9 +91,9 @@ class StlColorsTest {
     @Test
     fun theMarkMustHaveItsColourWithinTheHeader() {
         val late = ByteArray(80) { ' '.code.toByte() }.also { "COLOR=".toByteArray().copyInto(it, 71) }
-        assertNull(mesh(file(0, header = late)).colors)
+        assertNull(mesh(file(0x8000, header = late), listOf("test: the attribute words of 1 facets are not used, for they are no colours")).colors)
         val last = ByteArray(80) { ' '.code.toByte() }.also { "COLOR=".toByteArray().copyInto(it, 70) }
-        assertEquals(listOf("FF202020"), colors(file(0, header = last)))
+        assertEquals(listOf("FF202020"), colors(file(0x8000, header = last)))
     }
 
     @Test

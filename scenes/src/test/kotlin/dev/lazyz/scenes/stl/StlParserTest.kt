@@ -111,6 +111,57 @@ class StlParserTest {
     }
 
     @Test
+    fun aCountOfZeroStandsForAllFacets() {
+        for ((header, tail) in listOf("" to 0, "solid part" to 0, "solid part".padEnd(80) to 7)) {
+            val source = TestSources.of(binary(corner, neighbour, header = header, count = 0) + ByteArray(tail))
+            assertEquals(corner.toList() + neighbour.toList(), StlParser.parse(source).meshes.single().corners().flatten())
+            assertTrue("announces 0 facets; the 2 that" in source.warnings.first(), source.warnings.toString())
+            assertEquals(if (tail > 0) 2 else 1, source.warnings.size)
+        }
+        val empty = TestSources.of(binary())
+        assertEquals(0, StlParser.parse(empty).meshes.size)
+        assertEquals(listOf("test: there are no facets, so there is nothing to see"), empty.warnings)
+    }
+
+    /** A binary file in which as many bytes follow each facet as its word says. */
+    private fun withPayload(vararg sizes: Int): ByteArray {
+        val facets = Array(sizes.size) { if (it % 2 == 0) corner else neighbour }
+        val plain = binary(*facets)
+        return sizes.foldIndexed(plain.copyOf(84)) { i, bytes, size ->
+            val facet = plain.copyOfRange(84 + 50 * i, 134 + 50 * i).also { it[48] = size.toByte() }
+            bytes + facet + ByteArray(size) { 0x41 }
+        }
+    }
+
+    @Test
+    fun bytesThatFollowFacetsAreSkippedIfTheyFitTheFile() {
+        for (file in listOf(withPayload(6, 0, 3), withPayload(6, 6, 6), withPayload(0, 0, 200))) {
+            val source = TestSources.of(file)
+            val mesh = StlParser.parse(source).meshes.single()
+            assertEquals(corner.toList() + neighbour.toList() + corner.toList(), mesh.corners().flatten())
+            assertEquals(null, mesh.colors)
+            assertTrue("the attributes of 3 facets" in source.warnings.single(), source.warnings.toString())
+        }
+        val source = TestSources.of(withPayload(6, 6).dropLast(1).toByteArray())
+        assertEquals(2, StlParser.parse(source).meshes.single().triangleCount)
+        assertTrue("11 bytes after the last of 2 facets" in source.warnings.first(), source.warnings.toString())
+        TestSources.assertSurvivesDamage(StlParser, withPayload(3, 5))
+    }
+
+    @Test
+    fun endsCanBeTwoWordsOrHaveTheNameAttached() {
+        val text = ascii(corner, neighbour)
+        val endings = listOf("end solid part one", "endsolidpart one", "END SOLID", "endsolid_1", "end\nsolid x")
+        for (ending in endings) {
+            val file = text.replace("endsolid part one", ending).replace("endloop", "end loop")
+                .replace("endfacet", "End Facet") + ascii(corner, name = "next")
+            assertEquals(listOf("part one", "next"), StlParser.parse(TestSources.of(file)).meshes.map { it.material.name })
+        }
+        val error = TestSources.error(StlParser, TestSources.of(text.replaceFirst("endloop", "end lop")))
+        assertEquals("\"lop\" stands where loop should", error.problem)
+    }
+
+    @Test
     fun manySolidsAreManyMeshesInOrder() {
         val text = ascii(corner, name = "a") + ascii(name = "empty") + ascii(neighbour, corner, name = "b c")
         val meshes = StlParser.parse(TestSources.of(text)).meshes
@@ -183,6 +234,9 @@ class StlParserTest {
         val comma = TestSources.error(StlParser, TestSources.of(ascii(corner).replace("1.0 0.0 0.0", "1,0 0,0 0,0")))
         assertEquals("line 5", comma.location)
         assertTrue(comma.remedy!!.contains("decimal point"), comma.remedy)
+
+        val commas = TestSources.error(StlParser, TestSources.of(ascii(corner).replace("1.0 0.0 0.0", "1, 0, 0")))
+        assertTrue(commas.remedy!!.contains("spaces between numbers"), commas.remedy)
     }
 
     @Test

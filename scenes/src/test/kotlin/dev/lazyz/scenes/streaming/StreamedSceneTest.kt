@@ -109,6 +109,22 @@ class StreamedSceneTest {
     private val all: List<Renderer> = listOf(Tiled(), ZBuffer(), Hybrid())
 
     @Test
+    fun aCountOfZeroAndBytesBehindFacetsAreReadAlike() {
+        val facets = terrain(40, word = { it % 7 })
+        val plain = binary(facets)
+        file.writeBytes(plain.copyOf().also { it.fill(0, 80, 84) })
+        assertSame()
+        file.outputStream().use { out ->
+            out.write(plain, 0, 84)
+            for ((number, facet) in facets.withIndex()) {
+                out.write(plain, 84 + 50 * number, 50)
+                out.write(ByteArray(facet.word) { 0x7F })
+            }
+        }
+        assertSame()
+    }
+
+    @Test
     fun binaryFilesOfSeveralParts() {
         // A part has 8192 triangles
         for (side in listOf(1, 20, 63, 64, 110)) {

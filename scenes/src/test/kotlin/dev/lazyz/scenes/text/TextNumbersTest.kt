@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.text
 
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class TextNumbersTest {
@@ -37,7 +37,10 @@ class TextNumbersTest {
 
     @Test
     fun commaGetsAHint() {
-        assertNotNull(TextNumbers.remedy("0,5"))
+        assertTrue("decimal point" in TextNumbers.remedy("0,5")!!)
+        for (word in listOf("0,", ",0", "0,1,2", "0.5,1", "1.5,")) {
+            assertTrue("spaces between numbers" in TextNumbers.remedy(word)!!, word)
+        }
         assertNull(TextNumbers.remedy("x"))
     }
 }
