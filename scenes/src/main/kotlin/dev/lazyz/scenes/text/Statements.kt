@@ -8,8 +8,8 @@ import java.nio.charset.Charset
 /**
  * The statements of an OBJ or MTL text, and their words.
  *
- * A line that ends with a backslash is joined with the next one. White space around a statement is removed. Empty lines
- * and comment lines are skipped. The text must not have a byte order mark. Names are UTF-8, or ISO 8859-1 if the text
+ * A line that ends with a backslash is joined with the next one, unless it ends with a comment. White space around a
+ * statement is removed. Empty lines and comment lines are skipped. The text must not have a byte order mark. Names are UTF-8, or ISO 8859-1 if the text
  * is not valid UTF-8; if the text is not in memory, this is decided for each word. Not thread safe.
  *
  * @param window the text, or its beginning; holds at least the current line, and changes with the line
@@ -53,7 +53,7 @@ internal class Statements(private val window: ByteWindow) {
             readLine()
             bytes = text
             number = lines
-            if (start < end && bytes[end - 1] == BACKSLASH) join()
+            if (isContinued()) join()
         } while (start == end || bytes[start] == HASH)
         knownEnd = if (mayHaveComment) -1 else end
         wordEnd = start
@@ -166,12 +166,19 @@ internal class Statements(private val window: ByteWindow) {
         lines++
     }
 
+    /** Whether the line that was read last ends with a backslash that is not part of a comment. */
+    private fun isContinued(): Boolean {
+        if (start == end || text[end - 1] != BACKSLASH) return false
+        for (at in start until end) if (text[at] == HASH && (at == start || text[at - 1] != POINT)) return false
+        return true
+    }
+
     /** Joins the line with the next one, separated by a space, for as long as lines end with a backslash. */
     private fun join() {
         val joined = ByteArrayOutputStream()
         var isOpen = true
         while (isOpen) {
-            isOpen = start < end && text[end - 1] == BACKSLASH
+            isOpen = isContinued()
             joined.write(text, start, end - start - (if (isOpen) 1 else 0))
             if (!isOpen || !hasMore()) break
             if (window.isPart && joined.size() >= TextLines.LONGEST) throw TextLines.tooLong(number)

@@ -279,6 +279,27 @@ class MtlTest {
     }
 
     @Test
+    fun optionsMayStandBehindTheName() {
+        Files.copy(folder.resolve("wood.png"), folder.resolve("-s 2.png"))
+        val expected = mesh("map_Kd -s 2 4 -clamp on wood.png")
+        for (statement in listOf("wood.png -s 2 4 -clamp on", "-S 2 4 wood.png -clamp on", "wood.png -s 2 4 -clamp on # x")) {
+            val mesh = mesh("map_Kd $statement")
+            assertEquals(expected.uvs!!.toList(), mesh.uvs!!.toList(), statement)
+            assertEquals(TextureWrap.CLAMP, mesh.material.texture!!.wrapU, statement)
+        }
+        val bumps = listOf("-bm 3 wood.png", "wood.png -bm 3", "wood.png  -type sphere -imfchan l -bm 3")
+            .map { texels(mesh("map_bump $it").material.normalMap?.map) }
+        assertEquals(1, bumps.distinct().size)
+        assertNotNull(mesh("map_Kd .\\-s 2.png").material.texture, "a name")
+        for (name in listOf("wood.png -s", "wood.png -s x", "wood.png -q 1")) mesh("map_Kd $name", warnings = 1)
+    }
+
+    @Test
+    fun commentsEndWithTheirLine() {
+        assertEquals("FFFF0000", code(mesh("# from C:\\\nKd 1 0 0 # like C:\\\nKs 0 0 0").material.baseColor))
+    }
+
+    @Test
     fun unusedTexturesGiveOneWarning() {
         val text = "Kd 1 0 0\nmap_Kd wood.png\nmap_Ks a.png\ndisp a.png\nmap_Ns b.png\n" +
             "newmtl b\nREFL n.png\nmap_Ks c.png\nKa 1 1 1\nNi 1\n"

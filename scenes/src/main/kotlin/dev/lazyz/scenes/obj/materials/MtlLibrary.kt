@@ -92,7 +92,7 @@ internal class MtlLibrary(private val source: Source) {
         file.toString(),
         "line ${statements.number}",
         "the statement \"${statements.statement}\" cannot be understood",
-        "give it the numbers it needs, with decimal points, or remove it",
+        "give it the numbers it needs, with decimal points and spaces between them, or remove it",
         cause,
     )
 
