@@ -39,6 +39,24 @@ internal object ChannelPacking {
         Rgba(mixed(top.red, color.red), mixed(top.green, color.green), mixed(top.blue, color.blue), alpha).toArgb()
     }
 
+    /**
+     * Returns [texture] in the middle of an image of [width] x [height], the rest of which is [color], so that texels
+     * beyond its border have this colour. If the image is twice as large, so do those of the mip levels.
+     */
+    fun framed(texture: Texture, width: Int, height: Int, color: Rgba): Texture {
+        val left = (width - texture.width) / 2
+        val top = (height - texture.height) / 2
+        val outside = color.toArgb()
+        val texels = IntArray(Math.multiplyExact(width, height)) {
+            val x = it % width - left
+            val y = it / width - top
+            if (x in 0 until texture.width && y in 0 until texture.height) texture.texel(x, y) else outside
+        }
+        return Texture(
+            width, height, texels, texture.filter, texture.wrapU, texture.wrapV, texture.name, texture.mipFilter,
+        )
+    }
+
     private fun larger(first: Texture?, second: Texture?): Texture? = when {
         first == null -> second
         second == null -> first

@@ -7,7 +7,10 @@ import java.io.IOException
 import javax.imageio.ImageIO
 import javax.imageio.stream.MemoryCacheImageInputStream
 
-/** Decodes image files with the readers of the JDK: PNG, JPEG, TIFF, BMP, GIF, WBMP; of several images, the first. */
+/**
+ * Decodes image files with the readers of the JDK, PNG, JPEG, TIFF, BMP, GIF and WBMP, of several images the first; and
+ * TGA.
+ */
 internal object ImageDecoder {
     /** The maximum length of an array. */
     private const val MAX_PIXELS = Int.MAX_VALUE - 8L
@@ -42,7 +45,12 @@ internal object ImageDecoder {
     private fun <T> read(bytes: ByteArray, admit: (pixels: Long) -> Unit, convert: (BufferedImage) -> T): T? =
         MemoryCacheImageInputStream(ByteArrayInputStream(bytes)).use { stream ->
             val readers = ImageIO.getImageReaders(stream)
-            if (!readers.hasNext()) return null
+            if (!readers.hasNext()) {
+                return TgaImage.of(bytes)?.let {
+                    admit(it.pixels)
+                    convert(it.decode())
+                }
+            }
             val reader = readers.next()
             try {
                 reader.setInput(stream, true)

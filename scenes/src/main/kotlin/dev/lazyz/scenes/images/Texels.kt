@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.images
 
+import java.awt.color.ColorSpace
 import java.awt.image.BufferedImage
 import java.awt.image.IndexColorModel
 import java.awt.image.Raster
@@ -7,7 +8,8 @@ import java.awt.image.Raster
 /**
  * Converts images to pixels, directly from the numbers that the file stores.
  *
- * There is no colour management: codes are taken as sRGB, whatever profile or gamma the file states.
+ * There is no colour management: codes are taken as sRGB, whatever profile or gamma the file states. Inks, CMYK, let
+ * through what they do not absorb, each by itself: red is (1 - cyan) (1 - black).
  * `BufferedImage.getRGB` is not suitable, because it treats grey as linear light, which turns 128 into 188, and
  * converts from profiles in floating point.
  */
@@ -44,6 +46,7 @@ internal object Texels {
         pixel: (at: Int, alpha: Int, red: Int, green: Int, blue: Int) -> Unit,
     ) {
         val palette = image.colorModel as? IndexColorModel
+        val isInk = image.colorModel.colorSpace.type == ColorSpace.TYPE_CMYK
         val raster = image.raster
         val bits = raster.sampleModel.sampleSize
         val bands = raster.numBands
@@ -65,6 +68,12 @@ internal object Texels {
                         pixel(to, if (bands == 2) scaled(row[from + 1], bits[1], most) else most, level, level, level)
                     }
 
+                    isInk -> {
+                        val black = scaled(row[from + 3], bits[3], most)
+                        val (red, green, blue) = List(3) { left(scaled(row[from + it], bits[it], most), black, most) }
+                        pixel(to, most, red, green, blue)
+                    }
+
                     else -> pixel(
                         to,
                         if (bands == 4) scaled(row[from + 3], bits[3], most) else most,
@@ -80,6 +89,10 @@ internal object Texels {
     private fun readRow(raster: Raster, y: Int, row: IntArray) {
         raster.getPixels(raster.minX, raster.minY + y, raster.width, 1, row)
     }
+
+    /** Returns the light that an [ink] and [black] leave of [most]. */
+    private fun left(ink: Int, black: Int, most: Int): Int =
+        (((most - ink).toLong() * (most - black) + most / 2) / most).toInt()
 
     /** Scales the last 8 bits of [argb] to 0..[most]. */
     private fun code(argb: Int, most: Int): Int = scaled(argb and BYTE, 8, most)

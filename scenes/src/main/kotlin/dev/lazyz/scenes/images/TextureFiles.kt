@@ -9,7 +9,7 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * Reads textures from image files: PNG, JPEG, and the other formats that the JDK reads (TIFF, BMP, GIF, WBMP).
+ * Reads textures from image files: PNG, JPEG, TGA, and the other formats that the JDK reads (TIFF, BMP, GIF, WBMP).
  *
  * Texels are the codes that the file stores, see [Texels]; colour profiles are ignored. The codes of a JPEG are those
  * that the JDK's decoder computes, which can differ between JDKs. Textures have the filter [MipFilter.ANISOTROPIC].

@@ -1,21 +1,29 @@
 package dev.lazyz.scenes.images
 
 import com.sun.management.ThreadMXBean
+import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.images.PngFile.bytes
+import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.world.material.Texture
 import java.awt.color.ColorSpace
 import java.awt.color.ICC_Profile
 import java.awt.image.BufferedImage
+import java.awt.image.DataBuffer
+import java.awt.image.Raster
 import java.io.ByteArrayOutputStream
 import java.lang.management.ManagementFactory
 import java.nio.file.Files
 import java.nio.file.Path
+import javax.imageio.IIOImage
 import javax.imageio.ImageIO
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -99,6 +107,101 @@ class TextureFilesTest {
         val grey = BufferedImage(8, 8, BufferedImage.TYPE_BYTE_GRAY)
         for (i in 0 until 64) grey.raster.setSample(i % 8, i / 8, 0, 128)
         assertEquals("FF808080", texels(jpeg(grey))[0])
+    }
+
+    /** A JPEG of one pixel of four numbers, with Adobe's marker that says how they are transformed, or without one. */
+    private fun fourNumbers(numbers: List<Int>, transform: Int?): ByteArray {
+        val raster = Raster.createInterleavedRaster(DataBuffer.TYPE_BYTE, 8, 8, 4, null)
+        for (i in 0 until 64) raster.setPixel(i % 8, i / 8, numbers.toIntArray())
+        val out = ByteArrayOutputStream()
+        val writer = ImageIO.getImageWritersByFormatName("jpeg").next()
+        ImageIO.createImageOutputStream(out).use { stream ->
+            writer.output = stream
+            writer.write(null, IIOImage(raster, null, null), null)
+        }
+        writer.dispose()
+        val plain = out.toByteArray()
+        if (transform == null) return plain
+        val marker = bytes(0xFF, 0xEE, 0, 14) + "Adobe".toByteArray() + bytes(0, 100, 0, 0, 0, 0, transform)
+        return plain.copyOf(2) + marker + plain.copyOfRange(2, plain.size)
+    }
+
+    @Test
+    fun inksBecomeTheColourThatTheyLeave() {
+        val red = listOf(0, 255, 255, 0) to 0xFF0000
+        val dark = listOf(200, 30, 90, 40) to 0x2EBE8B
+        for ((inks, expected) in listOf(red, dark, listOf(0, 0, 0, 255) to 0, listOf(0, 0, 0, 0) to 0xFFFFFF)) {
+            // Files have the inks inverted, or as luma and chroma of a colour that has their numbers
+            val inverted = inks.map { 255 - it }
+            val (c, m, y, k) = inks
+            val luma = 0.299 * c + 0.587 * m + 0.114 * y
+            val ycck = listOf(luma, 128 + (y - luma) * 0.564, 128 + (c - luma) * 0.713).map { Math.round(it).toInt() }
+            val files = listOf(
+                fourNumbers(inverted, 0), fourNumbers(inverted, null), fourNumbers(ycck.map { minOf(it, 255) } + (255 - k), 2),
+            )
+            for ((form, file) in files.withIndex()) {
+                val color = texels(file)[0].toLong(16).toInt()
+                assertEquals(0xFF, color ushr 24, "$form")
+                for (shift in listOf(16, 8, 0)) {
+                    val difference = (color shr shift and 0xFF) - (expected shr shift and 0xFF)
+                    assertTrue(Math.abs(difference) <= 4, "$inks in form $form: %08X".format(color))
+                }
+            }
+        }
+    }
+
+    /** A TGA of [width] pixels in each row. */
+    private fun tga(type: Int, depth: Int, width: Int, height: Int, data: ByteArray, descriptor: Int = 0, map: Boolean = false) =
+        bytes(2, if (map) 1 else 0, type, if (map) 5 else 0, 0, if (map) 2 else 0, 0, if (map) 24 else 0, 0, 0, 0, 0) +
+            bytes(width, width shr 8, height, height shr 8, depth, descriptor) + "id".toByteArray() +
+            (if (map) bytes(30, 20, 10, 50, 100, 200) else ByteArray(0)) + data
+
+    @Test
+    fun tgaHasRowsFromTheBottomUnlessItSaysOtherwise() {
+        val data = bytes(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12)
+        val rows = listOf("FF030201", "FF060504", "FF090807", "FF0C0B0A")
+        assertEquals(rows, texels(tga(2, 24, 2, 2, data, 0x20)))
+        assertEquals(rows.drop(2) + rows.take(2), texels(tga(2, 24, 2, 2, data)))
+        assertEquals(listOf(1, 0, 3, 2).map(rows::get), texels(tga(2, 24, 2, 2, data, 0x30)))
+    }
+
+    @Test
+    fun tgaIsReadInAllItsForms() {
+        val withAlpha = bytes(1, 2, 3, 4, 5, 6, 7, 0)
+        assertEquals(listOf("04030201", "00070605"), texels(tga(2, 32, 2, 1, withAlpha, 8)))
+        assertEquals(listOf("FF030201", "FF070605"), texels(tga(2, 32, 2, 1, withAlpha)))
+        assertEquals(listOf("FF030201"), texels(tga(2, 32, 1, 1, bytes(1, 2, 3, 0), 8)), "alpha of 0 everywhere")
+        assertEquals(listOf("FF848421", "FFFF0000"), texels(tga(2, 16, 2, 1, bytes(0x04, 0x42, 0x00, 0x7C))))
+        assertEquals(listOf("FF090909", "FFFFFFFF"), texels(tga(3, 8, 2, 1, bytes(9, 255))))
+        assertEquals(listOf("80090909"), texels(tga(3, 16, 1, 1, bytes(9, 128), 8)))
+        assertEquals(listOf("FFC86432", "FF0A141E"), texels(tga(1, 8, 2, 1, bytes(6, 5), map = true)))
+
+        // Packets may go on in the next row; the last one may be too long
+        val packed = tga(10, 24, 2, 2, bytes(0x82, 1, 2, 3, 1, 4, 5, 6, 7, 8, 9), 0x20)
+        assertEquals(List(3) { "FF030201" } + "FF060504", texels(packed))
+        assertEquals(listOf("FFC86432", "FFC86432"), texels(tga(9, 8, 2, 1, bytes(0x81, 6), map = true)))
+        assertEquals(listOf("FF070707", "FF080808"), texels(tga(11, 8, 2, 1, bytes(1, 7, 8))))
+    }
+
+    @Test
+    fun damagedTgaGivesNoTextureAndNoException() {
+        val packed = tga(10, 32, 3, 2, bytes(0x82, 1, 2, 3, 4, 0, 5, 6, 7, 8, 0x81, 9, 9, 9, 9), 0x28)
+        val mapped = tga(1, 8, 4, 1, bytes(5, 6, 5, 6), map = true)
+        for (file in listOf(packed, mapped)) {
+            for (length in file.indices) assertNull(TextureFiles.decode(source, file.copyOf(length), "test"), "$length")
+            for (at in file.indices) {
+                for (change in listOf(0xFF, 1, 0x80)) {
+                    TextureFiles.decode(source, file.copyOf().also { it[at] = (it[at].toInt() xor change).toByte() }, "test")
+                }
+            }
+        }
+        assertNull(TextureFiles.decode(source, tga(1, 8, 1, 1, bytes(4), map = true), "test"), "no such colour")
+        val before = allocated()
+        for (type in listOf(2, 10)) assertNull(TextureFiles.decode(source, tga(type, 24, 65535, 65535, ByteArray(9000)), "test"))
+        assertTrue(allocated() - before < 10_000_000)
+        val small = Source(ByteArray(0), "test", null, Loading(LoadOptions(LoadLimits(texels = 5))))
+        val error = assertThrows(SceneFormatException::class.java) { TextureFiles.decode(small, packed, "test") }
+        assertTrue("LoadLimits.texels" in error.message.orEmpty(), error.message)
     }
 
     @Test
