@@ -5,9 +5,15 @@ import dev.lazyz.scenes.images.SrgbDecoding
 
 /**
  * The columns of a colour. Red, green and blue are sRGB-encoded; alpha is linear. Numbers are integers in the range of
- * their type, or fractions in 0..1.
+ * their type, or fractions in 0..1. Splats, which have no colours, have the first coefficient of spherical harmonics,
+ * whose colour from all sides is 0.5 plus [HARMONIC] times the coefficient (B. Kerbl et al., "3D Gaussian Splatting for
+ * Real-Time Radiance Field Rendering", 2023).
  */
-internal class PlyColor private constructor(private val channels: IntArray, private val alpha: Int?) {
+internal class PlyColor private constructor(
+    private val channels: IntArray,
+    private val alpha: Int?,
+    private val areCoefficients: Boolean,
+) {
     /** The numbers of all columns. */
     val columns: List<Int> = channels.toList() + listOfNotNull(alpha)
 
@@ -19,6 +25,7 @@ internal class PlyColor private constructor(private val channels: IntArray, priv
         val column = channels[channel]
         val number = row.numbers[column]
         val isCode = row.properties[column].type == PlyType.UCHAR
+        if (areCoefficients) return Rgba.linearOf((0.5 + HARMONIC * number).coerceIn(0.0, 1.0))
         if (isCode) return SrgbDecoding.decodeByte(number.toInt().coerceIn(0, 255))
         return Rgba.linearOf(number / most(row, column))
     }
@@ -26,10 +33,15 @@ internal class PlyColor private constructor(private val channels: IntArray, priv
     private fun most(row: PlyRow, column: Int): Double = row.properties[column].type.most
 
     companion object {
+        /** The value of the spherical harmonic of degree 0, 1 / (2 sqrt(pi)). */
+        private const val HARMONIC = 0.28209479177387814
+
         /** Returns the colour of [element]'s rows, or null if they have none. */
         fun of(element: PlyElement): PlyColor? {
             val channels = listOf("red", "green", "blue").mapNotNull { column(element, it) }
-            return if (channels.size < 3) null else PlyColor(channels.toIntArray(), column(element, "alpha"))
+            if (channels.size == 3) return PlyColor(channels.toIntArray(), column(element, "alpha"), false)
+            val coefficients = List(3) { "f_dc_$it" }.mapNotNull { element.column(listOf(it)) }
+            return if (coefficients.size < 3) null else PlyColor(coefficients.toIntArray(), null, true)
         }
 
         private fun column(element: PlyElement, name: String): Int? =
