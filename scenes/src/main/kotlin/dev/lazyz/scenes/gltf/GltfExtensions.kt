@@ -4,6 +4,7 @@ import dev.lazyz.scenes.gltf.document.GltfCompressedViews
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.document.SpecularGlossiness
 import dev.lazyz.scenes.gltf.geometry.GltfInstances
+import dev.lazyz.scenes.gltf.geometry.GltfNodes
 import dev.lazyz.scenes.gltf.geometry.GltfVertices
 import dev.lazyz.scenes.gltf.geometry.RelativeToCenter
 import dev.lazyz.scenes.gltf.materials.GltfTextures
@@ -22,6 +23,7 @@ internal object GltfExtensions {
         LIGHTS,
         SpecularGlossiness.NAME,
         GltfInstances.NAME,
+        GltfNodes.VISIBILITY,
         RelativeToCenter.NAME,
     ) + GltfCompressedViews.NAMES + GltfTextures.formats.keys
 

@@ -3,10 +3,12 @@ package dev.lazyz.scenes.gltf
 import dev.lazyz.scenes.gltf.animation.GltfAnimation
 import dev.lazyz.scenes.gltf.document.GltfAccessors
 import dev.lazyz.scenes.gltf.document.GltfContainer
+import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.geometry.GltfMeshes
 import dev.lazyz.scenes.gltf.geometry.GltfNodes
 import dev.lazyz.scenes.gltf.geometry.GltfPoses
 import dev.lazyz.scenes.gltf.geometry.GltfSkins
+import dev.lazyz.scenes.gltf.geometry.PlacedNode
 import dev.lazyz.scenes.gltf.materials.GltfMaterials
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
@@ -35,16 +37,27 @@ internal object GltfParser : SceneParser {
         val nodes = tree.walk()
         val skins = GltfSkins(document, accessors, tree)
         val meshes = GltfMeshes(document, accessors, GltfPoses(document, accessors, skins, poses))
-        val surfaces = nodes.flatMap { meshes.of(it) }
-        if (surfaces.isEmpty()) source.warn("there are no meshes, so there is nothing to see")
+        val visible = nodes.filter { it.isVisible }
+        val surfaces = visible.flatMap { meshes.of(it) }
+        if (surfaces.isEmpty()) source.warn("${reasonForNothing(document, nodes)}, so there is nothing to see")
         source.cameras += GltfCameras(document, Scene(surfaces)).all(nodes)
         val first = source.cameras.firstOrNull()
         val scene = if (first == null) Scene(surfaces) else Scene(surfaces, viewpoint = first.camera)
-        val lights = GltfLights(document).of(nodes, scene.bounds)
+        val lights = GltfLights(document).of(visible, scene.bounds)
         GltfExtensions.warnOfUnknown(document)
         document.warnOfCounts()
         if (lights.isEmpty()) return scene
         return scene.withLights(lights).withEnvironment(Environment.studio(FAINT))
+    }
+
+    private fun reasonForNothing(document: GltfDocument, nodes: List<PlacedNode>): String {
+        val withMesh = nodes.filter { it.node.mesh != null }
+        return when {
+            document.json.meshes.isNullOrEmpty() -> "there are no meshes"
+            withMesh.isEmpty() -> "no node of the scene has a mesh"
+            withMesh.none { it.isVisible } -> "all nodes with meshes are hidden"
+            else -> "the meshes are empty"
+        }
     }
 
     /** Intensity of the studio in a scene with its own lights: enough that metals are not black. */

@@ -48,6 +48,12 @@ class GltfErrorsTest {
     fun textThatIsNoGltfIsRefused() {
         assertFails("", null, "empty")
         assertFails("[]", null, "no JSON object")
+        val neither = arrayOf("neither JSON", "nor binary")
+        for (start in listOf("glTX\u0002\u0000\u0000\u0000", "\u0000\u0000glTF", "solid x", "\uFEFF\n x{}")) {
+            assertFails(start, "byte 0", *neither)
+        }
+        val damaged = files().glb(mesh).also { it[20] = 'x'.code.toByte() }
+        assertFails(damaged, "line 1, column 1", "the JSON of the binary file is damaged")
         assertFails("{\n \"asset\": }", "line 2, column 11", "no JSON")
         assertFails("{\n \"asset\": ]", "line 2, column 11", "no JSON")
         assertFails("{]", "line 1, column 2", "expected '}'; correct it")

@@ -36,6 +36,20 @@ class GltfLightsTest {
         assertTrue(Vector3d(x, y, z).distance(actual) < 1e-6) { "$actual" }
 
     @Test
+    fun lightsOfHiddenNodesAreOff() {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(-1, -1, 0, 1, -1, 0, 1, 1, 0))
+        val light = """"KHR_lights_punctual":{"light":0}"""
+        val hidden = """"KHR_node_visibility":{"visible":false}"""
+        val json = files.json(
+            """"nodes":[{"mesh":0},{"extensions":{$light,$hidden}}],
+            "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+            "extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}}""",
+        )
+        assertEquals(0, GltfParser.parse(TestSources.of(json)).lights.size)
+    }
+
+    @Test
     fun illuminanceOverPiIsTheColour() {
         val scene = scene("""{"type":"directional","color":[1,0.5,0],"intensity":3}""")
         val light = scene.lights.single() as Light.Directional

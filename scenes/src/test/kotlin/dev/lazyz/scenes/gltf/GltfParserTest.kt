@@ -126,6 +126,27 @@ class GltfParserTest {
     }
 
     @Test
+    fun hiddenNodesAreNotShownNorTheirDescendants() {
+        fun node(x: Int, visible: Boolean?, more: String = "") = """{"mesh":0,"translation":[$x,0,0]$more""" +
+            (visible?.let { ""","extensions":{"KHR_node_visibility":{"visible":$it}}""" } ?: "") + "}"
+        val required = ""","extensionsUsed":["KHR_node_visibility"],"extensionsRequired":["KHR_node_visibility"]"""
+
+        fun shown(vararg nodes: String): Pair<List<Float>, List<String>> {
+            val source = TestSources.of(file(""""nodes":[${nodes.joinToString()}]$required"""))
+            return GltfParser.parse(source).meshes.map { it.positions[0] } to source.warnings
+        }
+        val child = ""","children":[3]"""
+        val nodes = arrayOf(node(1, null), node(2, true), node(3, false, child), node(9, true))
+        assertEquals(listOf(1f, 2f) to emptyList<String>(), shown(*nodes))
+        val empty = """{"extensions":{"KHR_node_visibility":{}},"mesh":0}"""
+        assertEquals(listOf(0f) to emptyList<String>(), shown(empty))
+        val hidden = "test: all nodes with meshes are hidden, so there is nothing to see"
+        assertEquals(emptyList<Float>() to listOf(hidden), shown(node(1, false)))
+        val none = "test: no node of the scene has a mesh, so there is nothing to see"
+        assertEquals(emptyList<Float>() to listOf(none), shown("{}"))
+    }
+
+    @Test
     fun deepChainOfNodesIsWalked() {
         val depth = 20_000
         val nodes = (0 until depth).joinToString(",") { """{"translation":[1,0,0],"children":[${it + 1}]}""" }

@@ -12,21 +12,23 @@ import de.javagl.jgltf.model.GltfConstants
  * resolved here.
  */
 internal class GltfAccessors(private val document: GltfDocument) {
-    private val floats = HashMap<Int, FloatArray>()
+    private val floats = HashMap<Pair<Int, Boolean>, FloatArray>()
 
     /**
      * Returns the numbers of an accessor, row by row. Normalized integers are returned as fractions (3.11).
      *
      * @param where the place in the file that refers to the accessor
      * @param types the element types that are allowed
+     * @param areFractions whether integers are fractions even if the accessor does not say that they are normalized
      */
-    fun floats(index: Int?, where: String, vararg types: ElementType): FloatArray {
+    fun floats(index: Int?, where: String, vararg types: ElementType, areFractions: Boolean = false): FloatArray {
         val accessor = document.element(document.json.accessors, index, "accessors", where)
         val type = type(accessor, index)
         if (type !in types) {
             document.fail("accessors[$index].type", "$where needs ${types.joinToString(" or ")}, not $type")
         }
-        return floats.getOrPut(checkNotNull(index)) { read(accessor, index, type) }
+        val isFraction = areFractions || accessor.isNormalized == true
+        return floats.getOrPut(checkNotNull(index) to isFraction) { read(accessor, index, type, isFraction) }
     }
 
     /**
@@ -44,15 +46,14 @@ internal class GltfAccessors(private val document: GltfDocument) {
         return data.wholes(count(accessor, here))
     }
 
-    private fun read(accessor: Accessor, index: Int, type: ElementType): FloatArray {
+    private fun read(accessor: Accessor, index: Int, type: ElementType, isNormalized: Boolean): FloatArray {
         val width = type.numComponents
-        val isNormalized = accessor.isNormalized == true
         val data = dense(accessor, index, type)
         val count = count(accessor, "accessors[$index]")
         document.source.loading.decode(document.source, count.toLong() * width * Float.SIZE_BYTES)
         val result = FloatArray(count * width)
         data?.copy(count, width, isNormalized, result)
-        accessor.sparse?.let { substitute(it, accessor, index, type, result) }
+        accessor.sparse?.let { substitute(it, accessor, index, type, isNormalized, result) }
         return result
     }
 
@@ -62,6 +63,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         accessor: Accessor,
         index: Int,
         type: ElementType,
+        isNormalized: Boolean,
         result: FloatArray,
     ) {
         val here = "accessors[$index].sparse"
@@ -73,7 +75,6 @@ internal class GltfAccessors(private val document: GltfDocument) {
         val values = sparse.values ?: document.fail("$here.values", "it is missing")
         val placeType = places.componentType ?: document.fail("$here.indices.componentType", "it is missing")
         val componentType = componentType(accessor, index)
-        val isNormalized = accessor.isNormalized == true
         val from = data(places.bufferView, places.byteOffset, placeType, changes, ElementType.SCALAR, "$here.indices")
         val to = data(values.bufferView, values.byteOffset, componentType, changes, type, "$here.values")
         for (change in 0 until changes) {

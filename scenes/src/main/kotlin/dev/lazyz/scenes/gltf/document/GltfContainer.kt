@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.gltf.document
 
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.TextEncoding
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
@@ -14,12 +15,21 @@ internal object GltfContainer {
     private const val BINARY_CHUNK = 0x004E4942
     private const val HEADER = 12
     private const val CHUNK_HEADER = 8
+
+    /** Bytes in which the first character is searched for. */
+    private const val PROBE = 4096
     private const val COPY_AGAIN = "export or copy the model again"
 
     fun open(source: Source): GltfDocument {
         val buffer = ByteBuffer.wrap(source.bytes).order(ByteOrder.LITTLE_ENDIAN)
         val isBinary = source.bytes.size >= 4 && buffer.getInt(0) == MAGIC
-        if (!isBinary) return GltfDocument(source, GltfJson.read(source, 0, source.bytes.size), null)
+        if (!isBinary) {
+            if (!mayBeJson(source.bytes)) {
+                val problem = "the file is neither JSON, which begins with \"{\", nor binary, which begins with \"glTF\""
+                source.fail("byte 0", problem, COPY_AGAIN)
+            }
+            return GltfDocument(source, GltfJson.read(source, 0, source.bytes.size), null)
+        }
 
         // The header: magic number, version, total length
         if (source.bytes.size < HEADER) {
@@ -60,6 +70,10 @@ internal object GltfContainer {
         val gltf = GltfJson.read(source, start, end.toInt() - start, GltfJson.Container.VERSION_1)
         return GltfDocument(source, gltf, buffer.slice(end.toInt(), length - end.toInt()))
     }
+
+    /** Whether the first character of [bytes], after white space and zeros of UTF-16, is a bracket. */
+    private fun mayBeJson(bytes: ByteArray): Boolean =
+        TextEncoding.start(bytes, PROBE).firstOrNull { it > ' ' } in listOf('{', '[', null)
 
     private class Chunk(val type: Int, val start: Int, val length: Int)
 

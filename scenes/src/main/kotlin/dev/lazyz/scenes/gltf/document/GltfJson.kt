@@ -110,6 +110,7 @@ internal object GltfJson {
         val constraints =
             StreamReadConstraints.builder().maxNestingDepth(nesting).maxStringLength(Int.MAX_VALUE).build()
         val factory = JsonFactory.builder().streamReadConstraints(constraints).build()
+        val what = if (start == 0) "this is no JSON" else "the JSON of the binary file is damaged"
         val tree: JsonNode? = try {
             factory.createParser(source.bytes, start, withoutPadding(source, start, length)).use { parser ->
                 mapper.readTree<JsonNode?>(parser).also { requireEnd(source, parser) }
@@ -120,9 +121,9 @@ internal object GltfJson {
                 source.fail(null, "the JSON is nested more than $most deep", Loading.NESTING_REMEDY, e)
             }
             val place = e.location?.let { "line ${it.lineNr}, column ${it.columnNr}" }
-            source.fail(place, "this is no JSON: ${brief(e.originalMessage)}", REMEDY, e)
+            source.fail(place, "$what: ${brief(e.originalMessage)}", REMEDY, e)
         } catch (e: IOException) {
-            source.fail(null, "this is no JSON: ${brief(e.message)}", REMEDY, e)
+            source.fail(null, "$what: ${brief(e.message)}", REMEDY, e)
         }
         if (tree?.isObject != true) source.fail(null, "the file holds no JSON object", "check what kind of file it is")
         return tree

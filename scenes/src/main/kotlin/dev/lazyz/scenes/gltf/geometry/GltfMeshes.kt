@@ -66,10 +66,9 @@ internal class GltfMeshes(
         val sets = material.texCoordSets.map { "TEXCOORD_$it" }
         val uvs = sets.map { vertices.floats(it, ElementType.VEC2) }
         vertices.countUnused(sets)
-        val colors = vertices.floats("COLOR_0", ElementType.VEC3, ElementType.VEC4)?.let { opaque(it, count) }
+        val colors = vertices.colors(count)
         vertices.checkCount(normals, 3, count, "$here.NORMAL")
         for ((set, numbers) in sets.zip(uvs)) vertices.checkCount(numbers, 2, count, "$here.$set")
-        vertices.checkCount(colors, 4, count, "$here.COLOR_0")
         val indices = indices(vertices, count, where)
         if (mode < GltfTriangles.TRIANGLES) {
             val own = if (primitive.material == null) null else material.material
@@ -109,12 +108,6 @@ internal class GltfMeshes(
     private fun withTangents(surface: Surface): Surface {
         val normals = (surface as? Mesh)?.material?.normalMap ?: return surface
         return if (surface.tangents != null) surface else surface.withTangents(normals.map.uvSet, normals.map.transform)
-    }
-
-    /** Returns RGBA colours. RGB colours get an alpha of 1. */
-    private fun opaque(numbers: FloatArray, count: Int): FloatArray {
-        if (numbers.size != 3 * count) return numbers
-        return FloatArray(4 * count) { if (it % 4 == 3) 1f else numbers[it / 4 * 3 + it % 4] }
     }
 
     private fun indices(vertices: GltfVertices, count: Int, where: String): IntArray {

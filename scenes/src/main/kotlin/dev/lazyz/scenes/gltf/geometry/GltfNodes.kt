@@ -3,6 +3,7 @@ package dev.lazyz.scenes.gltf.geometry
 import de.javagl.jgltf.impl.v2.Node
 import dev.lazyz.geometry.Transforms
 import dev.lazyz.scenes.gltf.animation.NodePose
+import dev.lazyz.scenes.gltf.document.ExtensionValues
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
@@ -13,8 +14,9 @@ import org.joml.Matrix4dc
  * @property node the node as stored in the file
  * @property index its number
  * @property toWorld transform from the node's space to world space; affine
+ * @property isVisible whether its mesh and its light are shown, by `KHR_node_visibility` of the node and its ancestors
  */
-internal class PlacedNode(val node: Node, val index: Int, val toWorld: Matrix4dc)
+internal class PlacedNode(val node: Node, val index: Int, val toWorld: Matrix4dc, val isVisible: Boolean)
 
 /** Walks the nodes of the default scene (section 3.5). */
 internal class GltfNodes(private val document: GltfDocument, private val poses: Map<Int, NodePose>) {
@@ -31,11 +33,11 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
      * must form trees (3.5.2).
      */
     fun walk(): List<PlacedNode> {
-        class Pending(val index: Int, val where: String, val toParent: Matrix4dc)
+        class Pending(val index: Int, val where: String, val toParent: Matrix4dc, val isVisible: Boolean)
 
         // An explicit stack, because a chain of nodes may be deeper than the call stack allows
         val pending = ArrayDeque<Pending>()
-        for ((index, where) in roots().asReversed()) pending.addLast(Pending(index, where, rootToWorld))
+        for ((index, where) in roots().asReversed()) pending.addLast(Pending(index, where, rootToWorld, true))
         val seen = HashSet<Int>()
         val placed = ArrayList<PlacedNode>()
         while (pending.isNotEmpty()) {
@@ -44,9 +46,10 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
             if (!seen.add(next.index)) document.fail(next.where, "node ${next.index} has two parents or holds itself")
             val toWorld = Transforms.product(next.toParent, NodeTransforms.of(node, poses[next.index]))
             this.toWorld[next.index] = toWorld
-            placed.add(PlacedNode(node, next.index, toWorld))
+            val isVisible = next.isVisible && ExtensionValues.of(node, VISIBILITY)?.get("visible") != false
+            placed.add(PlacedNode(node, next.index, toWorld, isVisible))
             for ((i, child) in children(node).withIndex().reversed()) {
-                pending.addLast(Pending(child ?: -1, "nodes[${next.index}].children[$i]", toWorld))
+                pending.addLast(Pending(child ?: -1, "nodes[${next.index}].children[$i]", toWorld, isVisible))
             }
         }
         return placed
@@ -85,4 +88,9 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
     }
 
     private fun children(node: Node?): List<Int?> = node?.children.orEmpty()
+
+    companion object {
+        /** The extension that hides nodes with their descendants. */
+        const val VISIBILITY: String = "KHR_node_visibility"
+    }
 }

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.gltf.geometry
 import de.javagl.jgltf.impl.v2.Accessor
 import de.javagl.jgltf.impl.v2.MeshPrimitive
 import de.javagl.jgltf.model.ElementType
+import de.javagl.jgltf.model.GltfConstants
 import dev.lazyz.scenes.gltf.document.ExtensionValues
 import dev.lazyz.scenes.gltf.document.GltfAccessors
 import dev.lazyz.scenes.gltf.document.GltfDocument
@@ -24,19 +25,44 @@ internal class GltfVertices(
     private val dracoWhere = "$where.extensions.$DRACO"
     private val geometry: DracoGeometry? by lazy { draco?.let(::decode) }
 
-    /** Returns an attribute's numbers, vertex by vertex, or null if there is no such attribute. */
-    fun floats(name: String, vararg types: ElementType): FloatArray? {
+    /**
+     * Returns an attribute's numbers, vertex by vertex, or null if there is no such attribute. With [areFractions],
+     * integers are fractions even if the accessor does not say that they are normalized.
+     */
+    fun floats(name: String, vararg types: ElementType, areFractions: Boolean = false): FloatArray? {
         val index = attributes[name] ?: return null
         val here = "$where.attributes.$name"
         val id = dracoIds[name] as? Int
-        val decoded = (if (id == null) null else geometry) ?: return accessors.floats(index, here, *types)
-        val accessor: Accessor = document.element(document.json.accessors, index, "accessors", here)
-        val numbers = decoding { decoded.floats(checkNotNull(id), accessor.isNormalized == true) }
+        val decoded = (if (id == null) null else geometry)
+            ?: return accessors.floats(index, here, *types, areFractions = areFractions)
+        val isFraction = areFractions || accessor(name).isNormalized == true
+        val numbers = decoding { decoded.floats(checkNotNull(id), isFraction) }
         if (numbers == null || types.none { it.numComponents * decoded.vertexCount == numbers.size }) {
             document.fail("$dracoWhere.attributes.$name", "the compressed data has no attribute $id of this kind")
         }
         return numbers
     }
+
+    /**
+     * Returns red, green, blue and alpha of [count] vertices, or null if they have no colours. Integers are fractions, as
+     * the specification demands; some programs forget to say that they are.
+     */
+    fun colors(count: Int): FloatArray? {
+        val numbers = floats(COLORS, ElementType.VEC3, ElementType.VEC4, areFractions = true) ?: return null
+        val accessor = accessor(COLORS)
+        if (accessor.isNormalized != true && accessor.componentType != GltfConstants.GL_FLOAT) {
+            document.count("colours of integers that are not marked as normalized are read as if they were")
+        }
+        val elements = geometry?.takeIf { COLORS in dracoIds }?.vertexCount ?: accessor.count
+        val width = if (elements > 0) numbers.size / elements else 4
+        checkCount(numbers, width, count, "$where.attributes.$COLORS")
+        if (width == 4) return numbers
+        return FloatArray(4 * count) { if (it % 4 == 3) 1f else numbers[it / 4 * 3 + it % 4] }
+    }
+
+    private fun accessor(attribute: String): Accessor = document.element(
+        document.json.accessors, attributes[attribute], "accessors", "$where.attributes.$attribute",
+    )
 
     /**
      * Returns the vertex numbers, or null if vertices are used in their order. A number that needs more than 31 bits is
@@ -79,5 +105,6 @@ internal class GltfVertices(
 
     companion object {
         const val DRACO = "KHR_draco_mesh_compression"
+        private const val COLORS = "COLOR_0"
     }
 }

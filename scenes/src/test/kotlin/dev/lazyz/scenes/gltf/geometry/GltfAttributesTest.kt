@@ -42,6 +42,36 @@ class GltfAttributesTest {
     }
 
     @Test
+    fun coloursOfIntegersAreFractionsEvenIfTheFileForgetsToSaySo() {
+        for ((type, colour) in mapOf(UBYTE to listOf(255, 0, 51, 255), USHORT to listOf(65535, 0, 13107, 65535))) {
+            for (width in 3..4) {
+                val files = GltfFiles()
+                files.accessor("VEC3", FLOAT, triangle)
+                files.accessor("VEC$width", type, List(3 * width) { colour[it % width] })
+                val part = """{"attributes":{"POSITION":0,"COLOR_0":1}}"""
+                val source = TestSources.of(files.json("""$ONE_NODE,"meshes":[{"primitives":[$part,$part]}]"""))
+                val colors = GltfParser.parse(source).meshes[1].colors!!.toList()
+                assertEquals(List(12) { listOf(1f, 0f, 0.2f, 1f)[it % 4] }, colors, "type $type, $width")
+                val warning = "colours of integers that are not marked as normalized are read as if they were: 2"
+                assertEquals(listOf("test: $warning"), source.warnings)
+            }
+        }
+    }
+
+    @Test
+    fun aWrongNumberOfColoursIsSaidAsItIs() {
+        for ((type, count) in listOf("VEC3" to 2, "VEC3" to 4, "VEC4" to 2, "VEC4" to 9)) {
+            val files = GltfFiles()
+            files.accessor("VEC3", FLOAT, triangle + triangle + triangle + triangle)
+            files.accessor(type, FLOAT, List(count * type.last().digitToInt()) { 0 })
+            val json = files.json("""$ONE_NODE,"meshes":[{"primitives":[{"attributes":{"POSITION":0,"COLOR_0":1}}]}]""")
+            val error = TestSources.error(GltfParser, TestSources.of(json))
+            assertEquals("there are $count elements for 12 positions", error.problem, type)
+            assertEquals("meshes[0].primitives[0].attributes.COLOR_0", error.location)
+        }
+    }
+
+    @Test
     fun signedFractionsEndAtMinusOne() {
         val files = GltfFiles()
         files.accessor("VEC3", BYTE, listOf(-128, -127, 127, 0, 0, 0, 0, 0, 0), ",\"normalized\":true")
