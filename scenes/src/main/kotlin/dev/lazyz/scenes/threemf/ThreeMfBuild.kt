@@ -39,8 +39,20 @@ internal class ThreeMfBuild(private val source: Source) {
         return placed
     }
 
+    /** Why [meshes] is empty. */
+    val reasonForNothing: String
+        get() {
+            val root = models.getValue(key(archive.modelPath))
+            return when {
+                root.items.isEmpty() && root.objects.isEmpty() -> "there are no objects"
+                root.items.isEmpty() -> "no object is an item of the build"
+                supports > 0 -> "the build has only supports"
+                else -> "the objects of the build have no triangles"
+            }
+        }
+
     private fun model(path: String): ThreeMfModel? {
-        val key = path.removePrefix("/").lowercase()
+        val key = key(path)
         return models[key] ?: archive.part(path)?.let { part ->
             ThreeMfModelReader(part, path, unused).read().also { models[key] = it }
         }
@@ -59,7 +71,7 @@ internal class ThreeMfBuild(private val source: Source) {
             supports++
             return
         }
-        val name = Pair(model.path.removePrefix("/").lowercase(), placement.number)
+        val name = Pair(key(model.path), placement.number)
         if (!open.add(name)) source.fail(model.path, "object ${placement.number} holds itself", "remove the component")
         if (open.size > source.loading.limits.nesting) {
             source.fail(model.path, "objects are nested more than ${open.size - 1} deep", Loading.NESTING_REMEDY)
@@ -81,6 +93,8 @@ internal class ThreeMfBuild(private val source: Source) {
         }
         open.remove(name)
     }
+
+    private fun key(path: String): String = path.removePrefix("/").lowercase()
 
     private companion object {
         const val PLACEMENT_BYTES = 500L

@@ -36,17 +36,25 @@ internal class ThreeMfMeshes(private val source: Source, private val textures: T
         }
         val whole = source.loading.smoothed(source, mesh.mesh(source), ThreeMfParser.CREASE_ANGLE)
         val parts = MeshParts(whole, groupOf, coats.size)
+        val own = color(model.looks, default)
         return coats.map { (coat, group) ->
-            val texture = model.looks.textures[coat.texture]?.let { textures.find(it, coat.ground) }
-            val isTranslucent = texture?.hasAlpha ?: model.looks.palette.isTranslucent
+            val map = model.looks.textures[coat.texture]?.let { textures.find(it, coat.ground, coat.ground ?: own) }
+            val isTranslucent = map?.texture?.hasAlpha ?: model.looks.palette.isTranslucent
             val material = Material(
-                baseColor = coat.ground.takeIf { texture == null } ?: Rgba.WHITE,
-                texture = texture,
+                baseColor = coat.ground.takeIf { map == null } ?: Rgba.WHITE,
                 alphaMode = if (isTranslucent) AlphaMode.BLEND else AlphaMode.OPAQUE,
                 name = found.name,
-            )
+            ).withTextureMap(map)
             parts.part(group).withMaterials { material }
         }
+    }
+
+    /** Returns the colour that [look] refers to, or white if it is none. */
+    private fun color(looks: ThreeMfLooks, look: DefaultLook): Rgba {
+        val group = looks.groups[look.group]
+        if (group == null || group.texture >= 0 || look.index >= group.numbers.size) return group?.ground ?: Rgba.WHITE
+        val color = FloatArray(4).also { looks.palette.copy(group.numbers[look.index], it, 0) }
+        return Rgba(color[0], color[1], color[2], color[3])
     }
 
     /** Adds a triangle to [mesh], and returns what covers it. */

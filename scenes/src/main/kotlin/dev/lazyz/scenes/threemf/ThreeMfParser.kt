@@ -24,8 +24,9 @@ internal object ThreeMfParser : SceneParser {
 
     override fun parse(source: Source): Scene {
         if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
-        val meshes = ThreeMfBuild(source).meshes()
-        if (meshes.isEmpty()) source.warn("there are no triangles, so there is nothing to see")
+        val build = ThreeMfBuild(source)
+        val meshes = build.meshes()
+        if (meshes.isEmpty()) source.warn("${build.reasonForNothing}, so there is nothing to see")
         return Scene(meshes)
     }
 }

@@ -6,27 +6,59 @@ import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureMap
 import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.material.UvTransform
 
 /** The textures of a package, each decoded once. Not thread safe. */
 internal class ThreeMfTextures(private val source: Source, private val archive: ThreeMfPackage) {
     private val decoded = HashMap<String, Texture?>()
-    private val grounded = HashMap<Pair<String, Rgba>, Texture>()
+    private val made = HashMap<Any, Texture>()
 
     /**
-     * Returns the texture described by [texture], on [ground] if that is not null. Returns null, with a warning, if it
-     * is missing or cannot be decoded.
+     * Returns the texture described by [texture], on [ground] if that is not null. Beyond its border, it has the colour
+     * [outside] in the directions of tile style `none`. Returns null, with a warning, if it is missing or cannot be
+     * decoded.
      */
-    fun find(texture: ThreeMfTexture, ground: Rgba?): Texture? {
+    fun find(texture: ThreeMfTexture, ground: Rgba?, outside: Rgba): TextureMap? {
         if (texture.path !in decoded) decoded[texture.path] = decode(texture.path)
         val own = decoded[texture.path] ?: return null
         val picture = if (ground == null || !own.hasAlpha) own else grounded(texture.path, own, ground)
+        val width = size(picture.width, texture.wrapU)
+        val height = size(picture.height, texture.wrapV)
+        val framed = framed(picture, width, height, outside)
         val filter = if (texture.isSmooth) TextureFilter.BILINEAR else TextureFilter.NEAREST
-        return picture.withSampling(filter, wrap(texture.wrapU), wrap(texture.wrapV))
+        return TextureMap(
+            framed.withSampling(filter, wrap(texture.wrapU), wrap(texture.wrapV)),
+            transform = UvTransform(
+                picture.width.toDouble() / width, picture.height.toDouble() / height, 0.0,
+                ((width - picture.width) / 2).toDouble() / width, ((height - picture.height) / 2).toDouble() / height,
+            ),
+        )
+    }
+
+    /** Returns the size of an image of [size] with what is beyond its border: as much as the image, but two texels at least. */
+    private fun size(size: Int, style: String?): Long = if (style ==
+        NONE
+    ) {
+        maxOf(2L * size, size + 2L)
+    } else {
+        size.toLong()
+    }
+
+    private fun framed(picture: Texture, width: Long, height: Long, outside: Rgba): Texture {
+        if (width == picture.width.toLong() && height == picture.height.toLong()) return picture
+        return made.getOrPut(listOf(picture, width, height, outside)) {
+            source.loading.texels(source, width * height)
+            if (width * height > Int.MAX_VALUE) {
+                source.fail(null, "a texture of tile style none has too many pixels", "make it smaller")
+            }
+            ChannelPacking.framed(picture, width.toInt(), height.toInt(), outside)
+        }
     }
 
     private fun grounded(path: String, picture: Texture, ground: Rgba): Texture =
-        grounded.getOrPut(Pair(path, ground)) {
+        made.getOrPut(Pair(path, ground)) {
             source.loading.texels(source, picture.width.toLong() * picture.height)
             ChannelPacking.onColor(picture, ground)
         }
@@ -41,7 +73,12 @@ internal class ThreeMfTextures(private val source: Source, private val archive: 
 
     private fun wrap(style: String?): TextureWrap = when (style) {
         "mirror" -> TextureWrap.MIRROR
-        "clamp", "none" -> TextureWrap.CLAMP
+        "clamp", NONE -> TextureWrap.CLAMP
         else -> TextureWrap.REPEAT
+    }
+
+    private companion object {
+        /** The tile style of textures that do not continue beyond their border. */
+        const val NONE = "none"
     }
 }

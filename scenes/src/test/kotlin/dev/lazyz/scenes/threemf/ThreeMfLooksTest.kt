@@ -8,6 +8,7 @@ import dev.lazyz.scenes.threemf.ThreeMfFiles.model
 import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureMap
 import dev.lazyz.world.material.TextureWrap
 import dev.lazyz.world.surface.Mesh
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -106,6 +107,34 @@ class ThreeMfLooksTest {
         assertEquals(listOf(TextureWrap.MIRROR, TextureWrap.CLAMP), listOf(texture.wrapU, texture.wrapV))
         assertEquals(TextureFilter.NEAREST, texture.filter)
         assertNull(colored.material.texture)
+    }
+
+    @Test
+    fun texturesOfStyleNoneEndWhereTheColourOfTheObjectBegins() {
+        fun texture(own: String, group: String = "4", styles: String = "tilestyleu=\"none\" tilestylev=\"none\""): TextureMap {
+            val resources = textures.replace("tilestyleu=\"mirror\" tilestylev=\"clamp\"", styles)
+            val layers = "<m:multiproperties id=\"6\" pids=\"2 4\"><m:multi pindices=\"1 0\"/></m:multiproperties>"
+            val thing = thing("id=\"9\" $own", "pid=\"$group\" p1=\"0\"")
+            return meshes(resources + bases + colors + layers + thing, item).single().material.textureMap!!
+        }
+
+        fun sample(map: TextureMap, u: Float, v: Float): String {
+            fun texel(at: Float, size: Int) = (at * size).toInt().coerceIn(0, size - 1)
+            val image = map.texture
+            return "%08X".format(
+                image.texel(texel(map.transform.u(u, v), image.width), texel(map.transform.v(u, v), image.height)),
+            )
+        }
+        val beyond = listOf(-0.01f to 0.5f, 1.01f to 0.5f, 0.5f to -3f, 0.5f to 1.01f, 9f to -9f)
+        for ((own, color) in mapOf("pid=\"2\" pindex=\"0\"" to "FF00FF00", "" to "FFFFFFFF", "pid=\"4\"" to "FFFFFFFF")) {
+            val map = texture(own)
+            for (inside in listOf(0.01f, 0.5f, 0.99f)) assertEquals("FF090909", sample(map, inside, inside))
+            for ((u, v) in beyond) assertEquals(color, sample(map, u, v), "$own at $u, $v")
+        }
+        assertEquals("FF808080", sample(texture("pid=\"1\"", group = "6"), 2f, 0.5f))
+        val half = texture("pid=\"2\"", styles = "tilestyleu=\"wrap\" tilestylev=\"none\"")
+        assertEquals(listOf(1, 3, TextureWrap.REPEAT), half.texture.run { listOf(width, height, wrapU) })
+        assertEquals(listOf("FF090909", "FF00FF00"), listOf(sample(half, 2.5f, 0.5f), sample(half, 0.5f, 2f)))
     }
 
     @Test

@@ -37,7 +37,18 @@ class ThreeMfParserTest {
         assertEquals(listOf(listOf(0f, 0f, 0f), listOf(1f, 0f, 0f), listOf(0f, 1f, 0f)), mesh.corners())
         assertEquals(listOf(0f, 0f, 1f), mesh.normals!!.take(3))
         assertEquals("one", mesh.material.name)
-        assertEquals(0, meshes(one, "", "there are no triangles, so there is nothing to see").size)
+    }
+
+    @Test
+    fun whatIsNotPlacedIsNotSaidToBeMissing() {
+        val empty = "<object id=\"1\"><mesh><vertices/><triangles/></mesh></object>"
+        val support = "<object id=\"1\" type=\"support\">$TRIANGLE</object>"
+        val end = ", so there is nothing to see"
+        assertEquals(0, meshes(one, "", "no object is an item of the build$end").size)
+        assertEquals(0, meshes("", "", "there are no objects$end").size)
+        assertEquals(0, meshes(empty, item(1), "the objects of the build have no triangles$end").size)
+        val warnings = arrayOf("1 support structures are not shown", "the build has only supports$end")
+        assertEquals(0, meshes(support, item(1), *warnings).size)
     }
 
     @Test
