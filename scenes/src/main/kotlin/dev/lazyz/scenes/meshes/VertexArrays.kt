@@ -28,6 +28,7 @@ internal class VertexArrays(
     /** Returns the vertices as points; nothing if there are none. */
     fun points(): List<Points> {
         if (count == 0) return emptyList()
+        val normals = MissingNormals.ofPoints(normals)
         val material = PixelDefaults.material(normals != null, colors != null)
         return listOf(Points(positions, PixelDefaults.POINT_SIZE, material, normals, colors, origin))
     }

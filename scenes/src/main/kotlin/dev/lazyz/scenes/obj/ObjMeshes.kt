@@ -3,14 +3,17 @@ package dev.lazyz.scenes.obj
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.MeshParts
+import dev.lazyz.scenes.meshes.MissingNormals
 import dev.lazyz.scenes.obj.materials.MtlMaterial
 import dev.lazyz.world.surface.Mesh
+import java.util.BitSet
 
 /**
  * Builds meshes from faces. Each object, in the order of the file, becomes one mesh for each material and kind of
  * normals. Meshes are in the order of their first face, and faces in the order of the file.
  *
- * Normals of faces without any are computed for each object as a whole, so a change of material does not make a crease.
+ * Normals of faces without any are computed for each object as a whole, so a change of material does not make a crease;
+ * see also [MissingNormals].
  */
 internal class ObjMeshes(
     private val source: Source,
@@ -67,6 +70,7 @@ internal class ObjMeshes(
         val firstFaces = ArrayList<Int>()
         val triangles = Ints()
         val groupOf = Ints()
+        val flat = BitSet()
         var lastPart = -1
         var isTextured = false
         var group = -1
@@ -82,6 +86,7 @@ internal class ObjMeshes(
                 }
             }
             addTriangles(face, vertices, triangles)
+            if (!faces.parts[lastPart].isSmooth) flat.set(groupOf.size, triangles.size / 3)
             while (3 * groupOf.size < triangles.size) groupOf.add(group)
         }
 
@@ -94,8 +99,9 @@ internal class ObjMeshes(
             colors = model.colors(vertices.size, vertices::position),
             origin = model.origin,
         )
-        val isSmooth = batch.normals == Normals.SMOOTH
-        val shaded = if (isSmooth) source.loading.smoothed(source, whole, ObjParser.CREASE_ANGLE) else whole
+        val isFlat = batch.normals == Normals.FLAT
+        val shaded =
+            if (isFlat) whole else MissingNormals.computed(source, whole, ObjParser.CREASE_ANGLE, flat::get)
         val parts = MeshParts(shaded, groupOf, groups.size)
         return groups.map { (group, number) ->
             Placed(firstFaces[number], withMaterial(parts.part(number), materialOf(group.material), group.isTextured))

@@ -4,6 +4,7 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.loading.FarOrigin
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.MissingNormals
 import dev.lazyz.scenes.meshes.PolygonMesh
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
@@ -40,6 +41,6 @@ internal object OffParser : SceneParser {
             if (reader.vertices.count == 0) source.warn("there are no vertices, so there is nothing to see")
             return Scene(reader.vertices.points())
         }
-        return Scene(listOf(source.loading.smoothed(source, triangles.mesh(Material()), CREASE_ANGLE)))
+        return Scene(listOf(MissingNormals.computed(source, triangles.mesh(Material()), CREASE_ANGLE)))
     }
 }

@@ -4,6 +4,7 @@ import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.MeshParts
+import dev.lazyz.scenes.meshes.MissingNormals
 import dev.lazyz.scenes.meshes.PolygonMesh
 import dev.lazyz.scenes.meshes.Polygons
 import dev.lazyz.scenes.meshes.VertexArrays
@@ -27,7 +28,7 @@ internal class PlyMeshes(
         if (triangles.triangleCount == 0) return emptyList()
         val hasOneTexture = vertices.uvs != null && !polygons.havePlaces
         val whole = triangles.mesh(Material(texture = if (hasOneTexture) texture(0) else null))
-        val shaded = source.loading.smoothed(source, whole, PlyParser.CREASE_ANGLE)
+        val shaded = MissingNormals.computed(source, whole, PlyParser.CREASE_ANGLE)
         return if (polygons.havePlaces) textured(shaded, triangles) else listOf(shaded)
     }
 

@@ -21,6 +21,11 @@ internal object AwkwardMesh {
     /** Three numbers a vertex. */
     val normals: FloatArray
 
+    /** The normals, without those that point nowhere, which loaders replace. */
+    val directions: FloatArray by lazy {
+        FloatArray(normals.size) { if (it / 3 % 10 == 0) positions[it] else normals[it] }
+    }
+
     /** Two numbers a vertex. */
     val uvs: FloatArray
 

@@ -187,6 +187,12 @@ class ObjParserTest {
     }
 
     @Test
+    fun commentsEndWithTheirLine() {
+        assertEquals("00 10 11", outline(mesh("# C:\\models\\\r\n" + square + "f 1 2 3")))
+        assertEquals("00 10 11", outline(mesh("v 0 0 0 # in C:\\\nv 1 0 0#\\\nv 1 1 0\nf 1 \\\n2 3 # or 4 \\\ng rest\n")))
+    }
+
+    @Test
     fun tabsCommentsAndCaseAreRead() {
         val text = "\uFEFF# a mesh\nV\t0 0 0 # first\nv 1\t0\t0\nv 1 1 0\n\n  f\t1\t2\t3# last\n"
         assertEquals("00 10 11", outline(mesh(text)))
@@ -235,7 +241,7 @@ class ObjParserTest {
             append("# by hand\r\no ball\r\ng all\r\ns 1\r\n")
             for (v in AwkwardMesh.positions.toList().chunked(3)) append("v  ${v.joinToString(" ")}\r\n")
             for (vt in AwkwardMesh.uvs.toList().chunked(2)) append("vt ${vt.joinToString(" ")} 0.0\r\n")
-            for (vn in AwkwardMesh.normals.toList().chunked(3)) append("vn ${vn.joinToString(" ")}\r\n")
+            for (vn in AwkwardMesh.directions.toList().chunked(3)) append("vn ${vn.joinToString(" ")}\r\n")
             for ((i, face) in AwkwardMesh.triangles.toList().chunked(3).withIndex()) {
                 // Counted from the first vertex or from the last
                 val numbers = face.map { if (i % 2 == 0) it + 1 else it - count }
@@ -248,7 +254,7 @@ class ObjParserTest {
         val corners = mesh.triangles.toList()
         assertEquals(AwkwardMesh.corners(AwkwardMesh.positions, 3), mesh.corners())
         assertEquals(
-            AwkwardMesh.corners(AwkwardMesh.normals, 3), corners.map { mesh.normals!!.slice(3 * it until 3 * it + 3) },
+            AwkwardMesh.corners(AwkwardMesh.directions, 3), corners.map { mesh.normals!!.slice(3 * it until 3 * it + 3) },
         )
         assertEquals(
             AwkwardMesh.corners(AwkwardMesh.uvs, 2).map { (u, v) -> listOf(u, 1 - v) },

@@ -301,7 +301,7 @@ class PlyParserTest {
             "element face ${AwkwardMesh.triangles.size / 3}", "property list uchar int vertex_indices",
         )
         val places = AwkwardMesh.positions.toList().chunked(3)
-        val rows = places.zip(AwkwardMesh.normals.toList().chunked(3)) { place, normal -> place + normal }
+        val rows = places.zip(AwkwardMesh.directions.toList().chunked(3)) { place, normal -> place + normal }
             .zip(AwkwardMesh.uvs.toList().chunked(2)) { numbers, uv -> numbers + uv }
         val tables = listOf(
             List(8) { "float" }.joinToString(" ") to rows,
@@ -310,7 +310,7 @@ class PlyParserTest {
         for (format in PlyFormat.entries) {
             val mesh = mesh(PlyFiles.of(format, header, tables))
             assertEquals(AwkwardMesh.corners(AwkwardMesh.positions, 3), mesh.corners(), "$format")
-            assertEquals(AwkwardMesh.normals.toList(), mesh.normals!!.toList(), "$format")
+            assertEquals(AwkwardMesh.directions.toList(), mesh.normals!!.toList(), "$format")
             val uvs = AwkwardMesh.uvs.mapIndexed { i, number -> if (i % 2 == 0) number else 1 - number }
             assertEquals(uvs, mesh.uvs!!.toList(), "$format")
         }

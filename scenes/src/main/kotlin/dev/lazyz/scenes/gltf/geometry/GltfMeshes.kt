@@ -5,6 +5,7 @@ import de.javagl.jgltf.model.ElementType
 import dev.lazyz.scenes.gltf.document.GltfAccessors
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.materials.GltfMaterials
+import dev.lazyz.scenes.meshes.MissingNormals
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
@@ -38,7 +39,7 @@ internal class GltfMeshes(
         }
         val shown = instances.of(placed)
         for (part in own) repeated(part.surface, shown.size - 1L)
-        return shown.flatMap { instance -> own.map { withTangents(poses.posed(it, mesh, instance)) } }
+        return shown.flatMap { instance -> own.map { withTangents(withNormals(poses.posed(it, mesh, instance))) } }
     }
 
     /** Counts [more] copies of [surface] with its triangles or lines; [GltfPoses] counts the vertices. */
@@ -99,6 +100,12 @@ internal class GltfMeshes(
         val tangents = vertices.floats("TANGENT", ElementType.VEC4)
         vertices.checkCount(tangents, 4, count, "$here.TANGENT")
         return tangents
+    }
+
+    /** Returns [surface] with the normals of its triangles where the file gives normals without a direction. */
+    private fun withNormals(surface: Surface): Surface {
+        if (surface !is Mesh || surface.normals == null) return surface
+        return MissingNormals.computed(document.source, surface, creaseAngle = 0.0) { true }
     }
 
     /**

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.gltf.geometry
 
 import dev.lazyz.scenes.loading.PixelDefaults
+import dev.lazyz.scenes.meshes.MissingNormals
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
@@ -26,14 +27,14 @@ internal object GltfPoints {
         normals: FloatArray?,
         colors: FloatArray?,
     ): Surface {
-        val isLit = mode == POINTS && normals != null
-        val paint = material ?: PixelDefaults.material(isLit, colors != null)
+        val own = if (mode == POINTS) MissingNormals.ofPoints(normals) else null
+        val paint = material ?: PixelDefaults.material(own != null, colors != null)
         if (mode != POINTS) return Lines(positions, segments(mode, indices), PixelDefaults.LINE_WIDTH, paint, colors)
         return Points(
             gather(positions, indices, 3),
             PixelDefaults.POINT_SIZE,
             paint,
-            normals?.let { gather(it, indices, 3) },
+            own?.let { gather(it, indices, 3) },
             colors?.let { gather(it, indices, 4) },
         )
     }
