@@ -180,9 +180,36 @@ public class Scene private constructor(
         return Frame(raster, FrameAssembly(surfaces, setUp).content(), raster.region)
     }
 
-    /** Returns this scene with each material replaced by the result of [change]. */
-    public fun withMaterials(change: UnaryOperator<Material>): Scene =
-        copy(surfaces = surfaces.map { it.withMaterials(change) })
+    /**
+     * Returns this scene with each material replaced by the result of [change]. Where [change] adds a texture or another
+     * map, it has no effect on surfaces without the texture coordinates that it needs: these get the material without
+     * the map.
+     *
+     * @throws IllegalArgumentException if no surface has the texture coordinates that the added maps need
+     */
+    public fun withMaterials(change: UnaryOperator<Material>): Scene {
+        var bare = 0
+        var mapped = 0
+        val changed = surfaces.map { surface ->
+            surface.withMaterials { material ->
+                val result = change.apply(material)
+                val added = result.uvSets - material.uvSets
+                val canShow = added.all { hasUvSet(surface, it) }
+                if (added.isNotEmpty()) if (canShow) mapped++ else bare++
+                if (canShow) result else result.withMapsOf { it in material.uvSets || hasUvSet(surface, it) }
+            }
+        }
+        require(bare == 0 || mapped > 0) {
+            "the materials need texture coordinates, and none of the ${surfaces.size} surfaces has them"
+        }
+        return copy(surfaces = changed)
+    }
+
+    private fun hasUvSet(surface: Surface, set: Int): Boolean = when (surface) {
+        is Mesh -> (if (set == 0) surface.uvs else surface.uvs2) != null
+        is Points, is Lines -> false
+        else -> true
+    }
 
     /**
      * Returns this scene, in which the axis [up] points up, rotated so that y points up. Its lights, its camera and its

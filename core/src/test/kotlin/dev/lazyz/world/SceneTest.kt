@@ -6,12 +6,18 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureMap
 import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.SetUp
+import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class SceneTest {
@@ -20,6 +26,37 @@ class SceneTest {
     private fun square(origin: Vector3d): Mesh {
         val corners = floatArrayOf(-1f, -1f, 0f, 1f, -1f, 0f, 1f, 1f, 0f, -1f, 1f, 0f)
         return Mesh(corners, intArrayOf(0, 1, 2, 0, 2, 3), Material(), origin = origin)
+    }
+
+    @Test
+    fun addedTexturesNeedCoordinates() {
+        val red = Texture(1, 1, intArrayOf(0xFFFF0000.toInt()))
+        val bare = square(Vector3d())
+        val placed = Mesh(bare.positions, bare.triangles, uvs = FloatArray(8))
+        val points = Points(bare.positions, 1.0)
+        fun textures(scene: Scene) = scene.surfaces.map {
+            when (it) {
+                is Mesh -> it.material.texture
+                is Points -> it.material.texture
+                else -> (it as Sphere).material.texture
+            }
+        }
+
+        val painted = Scene(listOf(bare, placed, points, Sphere(Vector3d(), 1.0))).withMaterials { it.withTexture(red) }
+        assertEquals(listOf(null, red, null, red), textures(painted))
+        for (surfaces in listOf(listOf(bare), listOf(points, bare))) {
+            val error = assertThrows(IllegalArgumentException::class.java) {
+                Scene(surfaces).withMaterials { it.withTexture(red) }
+            }
+            assertTrue("none of the ${surfaces.size} surfaces" in error.message!!, error.message)
+        }
+        val second = TextureMap(red, uvSet = 1)
+        assertThrows(IllegalArgumentException::class.java) { Scene(listOf(placed)).withMaterials { it.withEmissionMap(second) } }
+
+        // What was there before stays: its coordinates count as (0, 0)
+        val given = Scene(listOf(Mesh(bare.positions, bare.triangles, Material(texture = red))))
+        assertEquals(listOf(red), textures(given.withMaterials { it.withBaseColor(Rgba.BLACK) }))
+        assertEquals(emptyList<Surface>(), Scene(emptyList()).withMaterials { it.withTexture(red) }.surfaces)
     }
 
     /** Answers that name the point and the normal. */

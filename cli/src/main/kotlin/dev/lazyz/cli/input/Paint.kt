@@ -22,16 +22,21 @@ import dev.lazyz.world.surface.Vertex
 internal class Paint(private val color: Rgba?, private val texture: Texture?) {
     /** Returns [scene] with this paint on all surfaces. */
     fun applyTo(scene: Scene): Scene =
-        scene.withSurfaces(scene.surfaces.map { plain(it).withMaterials(::painted) })
+        scene.withSurfaces(
+            scene.surfaces.map { surface ->
+                val shown = texture.takeUnless { lacksTexturePlaces(surface) }
+                plain(surface).withMaterials { painted(it, shown) }
+            },
+        )
 
     /** Removes a custom shader, too, which would take precedence. */
-    private fun painted(material: Material): Material {
+    private fun painted(material: Material, texture: Texture?): Material {
         val isOpaque = (color == null || color.alpha >= 1f) && texture?.hasAlpha != true
         return material.withBaseColor(color ?: Rgba.WHITE).withTexture(texture).withShader(null)
             .withAlphaMode(if (isOpaque) AlphaMode.OPAQUE else AlphaMode.BLEND)
     }
 
-    /** Returns [surface] without colours of vertices. A mesh without texture coordinates shows no texture. */
+    /** Returns [surface] without colours of vertices. */
     private fun plain(surface: Surface): Surface = when (surface) {
         is Mesh -> with(surface) { Mesh(positions, triangles, material, normals, uvs, null, origin, uvs2, tangents) }
         is StreamedMesh -> surface.withoutColors()

@@ -98,6 +98,8 @@ class ColorOptionsTest {
         val run = zcli("render", both, "--texture", flag, "-o", out)
         assertEquals(ExitCode.DONE, run.code, run.errors)
         assertTrue("1 of 2 surfaces have no texture coordinates, so --texture has no effect on them" in run.errors)
+        val plain = colors(both, "--texture", "$flag", "--background", "black")
+        assertTrue("ffffffff" in plain, "$plain: the wedge is white, not the colour of a corner of the flag")
         zcli("render", square, "--texture", "no.png", "-o", out).mistake("no.png: there is no such file")
         zcli("render", square, "--texture", square, "-o", out).mistake("is not an image that can be read")
         zcli("render", square, "--texture", flag, "--max-texels", "255", "-o", out).mistake("texels")

@@ -153,6 +153,11 @@ public class Material private constructor(
             listOfNotNull(metallicRoughness?.map?.takeIf { isPhysical }, normalMap?.map, occlusionMap?.map)
         }
 
+    /** The sets of texture coordinates that maps use, also where light is not computed at samples. */
+    internal val uvSets: Set<Int>
+        get() = listOfNotNull(textureMap, emissionMap, metallicRoughness?.map, normalMap?.map, occlusionMap?.map)
+            .mapTo(HashSet()) { it.uvSet }
+
     /** Whether textures are read with the derivatives of their coordinates. */
     internal val usesFootprint: Boolean get() = maps.any { it.texture.mipFilter != MipFilter.NONE }
 

@@ -45,12 +45,40 @@ internal class SurfaceReader(
 
         // Compute normals, then set the material, then transform
         val smoothed = members["smoothNormals"]?.let { smooth(surfaces, kind, it) } ?: surfaces
-        val painted = if (material != null) smoothed.map { it.withMaterials { material } } else smoothed
+        val painted = if (material != null) painted(smoothed, material, value) else smoothed
         val moved = members["transform"]?.let { node ->
             val transform = TransformReader.read(node)
             node.checked { painted.map { moved(it, transform) } }
         }
         return (moved ?: painted).map { it.withUpAxis(up) }
+    }
+
+    /**
+     * Returns [surfaces] with [material]. Those of a file that [node] names are without its maps if they have no texture
+     * coordinates, with a warning; fails if none has any.
+     */
+    private fun painted(surfaces: List<Surface>, material: Material, node: JsonNode): List<Surface> {
+        val set = material.textureMap?.uvSet
+        val bare = surfaces.filter {
+            node.isText && set != null && it is Mesh &&
+                (if (set == 0) it.uvs else it.uvs2) == null
+        }
+        if (bare.isNotEmpty()) {
+            val lack = "no texture coordinates for the texture of its material"
+            if (bare.size == surfaces.size) node.fail("\"${node.text()}\" has $lack", "remove the texture")
+            source.warn("${bare.size} of ${surfaces.size} surfaces of ${node.text()} have $lack, and are shown without")
+        }
+        return surfaces.map { surface ->
+            surface.withMaterials {
+                if (surface in
+                    bare
+                ) {
+                    material.withoutMaps()
+                } else {
+                    material
+                }
+            }
+        }
     }
 
     private fun smooth(surfaces: List<Surface>, kind: String, node: JsonNode): List<Surface> {

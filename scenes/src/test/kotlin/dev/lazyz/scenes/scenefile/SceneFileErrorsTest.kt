@@ -1,14 +1,20 @@
 package dev.lazyz.scenes.scenefile
 
+import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.world.surface.Mesh
 import java.nio.file.Path
+import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.Arguments
 import org.junit.jupiter.params.provider.Arguments.arguments
@@ -47,6 +53,26 @@ class SceneFileErrorsTest {
         for (length in text.indices) {
             assertThrows(SceneFormatException::class.java) { SceneFile.parse(text.substring(0, length)) }
         }
+    }
+
+    @Test
+    fun theTextureOfAModelNeedsItsCoordinates(@TempDir folder: Path) {
+        folder.resolve("t.png").writeBytes(PngFile.of(1, 1, 8, PngFile.GREY, listOf(PngFile.bytes(9))))
+        val bare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"
+        folder.resolve("bare.obj").writeText(bare)
+        folder.resolve("mixed.obj").writeText(bare + "vt 0 0\nf 1/1 2/1 3/1\n")
+        fun load(model: String): LoadedScene {
+            val file = folder.resolve("scene.json")
+            file.writeText(surface(""""mesh": "$model", "material": {"texture": {"image": "t.png"}}"""))
+            return Scenes.load(file)
+        }
+
+        val error = assertThrows(SceneFormatException::class.java) { load("bare.obj") }
+        assertEquals("surfaces[2].mesh", error.location)
+        assertTrue("\"bare.obj\" has no texture coordinates for the texture" in error.message!!, error.message)
+        val loaded = load("mixed.obj")
+        assertTrue("1 of 2 surfaces of mixed.obj have no texture coordinates" in loaded.warnings.single())
+        assertEquals(listOf(false, true), loaded.scene.surfaces.drop(2).map { (it as Mesh).material.texture != null })
     }
 
     private companion object {
