@@ -98,12 +98,10 @@ enum Axis {
         return new Material(Rgba.WHITE).withShading(Shading.CONSTANT).withShader(new RoundsShader(rounds));
     }
 
-    /** Returns a value's label in the head of a table. */
-    String label(long value) {
-        if (this == SCENES) {
-            return Scenes.getBuiltins().get((int) value).getId();
-        }
-        return fixedSide == 0 ? side(value) + "²" : String.format(Locale.ROOT, "%,d", value);
+    /** Returns the subject of measurements at a value: {@code depth 1000}. */
+    String subject(long value) {
+        return id() + " "
+                + (this == SCENES ? Scenes.getBuiltins().get((int) value).getId() : value);
     }
 
     /** Returns at most the first {@code count} values. */

@@ -8,20 +8,19 @@ import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
 import dev.lazyz.Rgba;
 import dev.lazyz.RowSink;
+import dev.lazyz.jmh.report.Measurements;
 import dev.lazyz.jmh.report.Options;
 import dev.lazyz.strategies.FrameNumbers;
 import dev.lazyz.strategies.Renderers;
+import dev.lazyz.strategies.tiled.Tiled;
 import dev.lazyz.world.Scene;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.LocalDate;
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Set;
 
 /**
@@ -36,6 +35,22 @@ import java.util.Set;
  * Results of other axes in the results file are kept.
  */
 public final class Growth {
+    /** Wall-clock time of a frame, including set-up; the median of a round's frames. */
+    static final String TIME = "frame ms";
+
+    /** Bytes that threads which still exist afterwards have allocated in a frame, including set-up. */
+    static final String ALLOCATED = "allocated bytes";
+
+    /** Peak working memory in bytes, as the renderer reports it. */
+    static final String PEAK = "peak bytes";
+
+    /** The program of numbers that are a frame's own: see {@link FrameNumbers}. */
+    static final String FRAME = "frame";
+
+    static final String PRIMITIVES = "primitives";
+    static final String ROWS = "primitive rows";
+    static final String FRAGMENTS = "fragments";
+
     private static final Set<String> OPTIONS =
             Set.of("axes", "points", "rounds", "limit", "warm-up", "results", "page", "costs");
 
@@ -46,10 +61,10 @@ public final class Growth {
 
     private final int rounds;
     private final double limit;
-    private final GrowthResults results;
+    private final Measurements results;
     private volatile int seen;
 
-    private Growth(GrowthResults results, int rounds, double limit) {
+    private Growth(Measurements results, int rounds, double limit) {
         this.results = results;
         this.rounds = rounds;
         this.limit = limit;
@@ -58,44 +73,26 @@ public final class Growth {
     /** Options: see {@code jmh/README.md}. */
     public static void main(String[] args) throws InterruptedException, IOException {
         Options options = new Options(args, OPTIONS);
-        Path file = Path.of(options.get("results", "docs/growth/results.json"));
+        Path file = Path.of(options.get("results", "docs/growth/results.csv"));
         List<String> axes = options.list("axes", "triangles,pixels,small,depth,shading,threads,scenes");
-        GrowthResults others = Files.exists(file) ? GrowthResults.read(file).without(axes) : GrowthResults.empty();
+        Measurements results = Files.exists(file) ? Measurements.read(file) : new Measurements();
+        results.removeIf(value -> axes.contains(value.subject().split(" ")[0]));
         Growth growth = new Growth(
-                others, Integer.parseInt(options.get("rounds", "3")), Double.parseDouble(options.get("limit", "20")));
-        growth.recordFacts(String.join(" ", args));
+                results, Integer.parseInt(options.get("rounds", "3")), Double.parseDouble(options.get("limit", "20")));
+        results.noteMachine();
+        results.note("command", ("Growth " + String.join(" ", args)).trim());
+        results.note("heap MiB", Long.toString(Runtime.getRuntime().maxMemory() >> 20));
+        results.note("kernel of tiled", new Tiled().getKernel().toString());
         growth.warmUp(Double.parseDouble(options.get("warm-up", "2")));
         for (String axis : axes) {
             growth.measure(Axis.find(axis), Integer.parseInt(options.get("points", "9")));
 
             // If a long run is stopped, the results so far are kept
-            growth.results.write(file);
+            results.write(file);
         }
         GrowthPage.main(new String[] {
             options.get("page", "docs/growth.md"), file.toString(), options.get("costs", GrowthPage.COSTS)
         });
-    }
-
-    /** Records the facts that are needed to judge the figures. */
-    private void recordFacts(String arguments) throws IOException {
-        Map<String, String> facts = results.facts();
-        facts.put("last command", ("Growth " + arguments).trim());
-        facts.put("date", LocalDate.now().toString());
-        facts.put("heap, MiB", Long.toString(Runtime.getRuntime().maxMemory() >> 20));
-        facts.put("limit, s", Double.toString(limit));
-        facts.put("rounds", Integer.toString(rounds));
-        facts.put("processors", Integer.toString(Runtime.getRuntime().availableProcessors()));
-        facts.put(
-                "Java", Runtime.version() + ", kernel of tiled: " + new dev.lazyz.strategies.tiled.Tiled().getKernel());
-        facts.put("system", System.getProperty("os.name") + " " + System.getProperty("os.arch"));
-        Path processors = Path.of("/proc/cpuinfo");
-        if (Files.exists(processors)) {
-            Files.readString(processors)
-                    .lines()
-                    .filter(line -> line.startsWith("model name"))
-                    .findFirst()
-                    .ifPresent(line -> facts.put("processor", line.substring(line.indexOf(':') + 2)));
-        }
     }
 
     /** Renders representative scenes with each strategy, for some seconds. */
@@ -112,64 +109,58 @@ public final class Growth {
     }
 
     private void measure(Axis axis, int points) throws InterruptedException, IOException {
-        Map<String, String> skipped = new HashMap<>();
+        Set<String> skipped = new HashSet<>();
         for (long value : axis.first(points).toArray()) {
             measure(axis, value, skipped);
         }
     }
 
-    /**
-     * Measures all strategies at a point. {@code skipped} maps skipped strategies to the reason; strategies that fail
-     * are added.
-     */
-    private void measure(Axis axis, long value, Map<String, String> skipped) throws InterruptedException, IOException {
+    /** Measures all strategies at a point but those that are skipped; strategies that fail are added to them. */
+    private void measure(Axis axis, long value, Set<String> skipped) throws InterruptedException, IOException {
+        String subject = axis.subject(value);
         Scene scene = axis.scene(value);
-        int side = axis.side(value);
-        Raster raster = new Raster(side, side, Rgba.TRANSPARENT);
+        Raster raster = new Raster(axis.side(value), axis.side(value), Rgba.TRANSPARENT);
         FrameNumbers numbers = FrameNumbers.of(scene.frame(raster));
-        results.points()
-                .add(new GrowthResults.Point(
-                        axis.id(),
-                        value,
-                        side,
-                        axis.threads(value),
-                        axis.rounds(value),
-                        numbers.getPrimitives(),
-                        numbers.getPrimitiveRows(),
-                        numbers.getFragments()));
+        results.add(PRIMITIVES, subject, FRAME, 0, numbers.getPrimitives());
+        results.add(ROWS, subject, FRAME, 0, numbers.getPrimitiveRows());
+        results.add(FRAGMENTS, subject, FRAME, 0, numbers.getFragments());
         long[] expected = new long[1];
         List<Renderer> repeated = new ArrayList<>();
         for (Renderer builtIn : Renderers.getBuiltIn()) {
-            String id = builtIn.getId();
-            if (axis == Axis.THREADS && !builtIn.getCapabilities().contains(Capability.PARALLEL)) {
-                continue;
-            }
-            if (skipped.containsKey(id)) {
-                results.missing().add(new GrowthResults.Missing(axis.id(), value, id, skipped.get(id)));
+            boolean canShare = axis != Axis.THREADS || builtIn.getCapabilities().contains(Capability.PARALLEL);
+            if (!canShare || skipped.contains(builtIn.getId())) {
                 continue;
             }
             Renderer renderer = with(builtIn, axis.threads(value));
             try {
-                GrowthResults.Cost first = first(axis, value, renderer, scene, raster, expected);
-                if (first.millis() > 1e3 * limit && axis != Axis.SCENES) {
-                    skipped.put(id, GrowthResults.SLOW);
+                Cost first = first(renderer, scene, raster, expected);
+                if (first.millis > 1e3 * limit && axis != Axis.SCENES) {
+                    skipped.add(renderer.getId());
                 }
-                if (first.millis() > 250 * limit) {
-                    add(first);
+                if (first.millis > 250 * limit) {
+                    add(subject, renderer, 1, first);
                 } else {
                     repeated.add(renderer);
                 }
             } catch (OutOfMemoryError full) {
-                skipped.put(id, GrowthResults.MEMORY);
-                results.missing().add(new GrowthResults.Missing(axis.id(), value, id, GrowthResults.MEMORY));
-                System.out.printf("%-16s %,12d  %-12s does not fit%n", axis.title, value, id);
+                skipped.add(renderer.getId());
+                System.out.println(subject + ": " + renderer.getId() + " does not fit");
             }
         }
         for (int round = 1; round <= rounds; round++) {
             for (Renderer renderer : repeated) {
-                add(axis, value, renderer, round, scene, raster);
+                add(subject, renderer, round, cost(scene, raster, renderer));
             }
         }
+    }
+
+    /** What a rendering cost. */
+    private record Cost(double millis, long allocated, Counters counters) {}
+
+    private void add(String subject, Renderer renderer, int round, Cost cost) {
+        results.add(TIME, subject, renderer.getId(), round, cost.millis);
+        results.add(ALLOCATED, subject, renderer.getId(), round, cost.allocated);
+        results.add(PEAK, subject, renderer.getId(), round, cost.counters.getPeakBytes());
     }
 
     private static Renderer with(Renderer renderer, int threads) {
@@ -177,8 +168,7 @@ public final class Growth {
     }
 
     /** Renders a first frame, and compares its image with the first strategy's. */
-    private static GrowthResults.Cost first(
-            Axis axis, long value, Renderer renderer, Scene scene, Raster raster, long[] expected)
+    private static Cost first(Renderer renderer, Scene scene, Raster raster, long[] expected)
             throws InterruptedException, IOException {
         long[] hash = {1};
         RowSink sink = (y, argb, depth, primitive) -> {
@@ -191,21 +181,20 @@ public final class Growth {
         long before = allocatedBytes();
         long start = System.nanoTime();
         Counters counters = renderer.render(scene.frame(raster), sink);
-        double millis = (System.nanoTime() - start) / 1e6;
-        long allocated = allocatedBytes() - before;
+        Cost cost = new Cost((System.nanoTime() - start) / 1e6, allocatedBytes() - before, counters);
         if (expected[0] == 0) {
             expected[0] = hash[0];
         }
         if (hash[0] != expected[0]) {
             throw new IllegalStateException(renderer.getId() + " gives another picture");
         }
-        return cost(axis, value, renderer, 1, millis, 1, allocated, counters);
+        return cost;
     }
 
-    private void add(Axis axis, long value, Renderer renderer, int round, Scene scene, Raster raster)
-            throws InterruptedException, IOException {
+    /** Renders frames for a while; returns the median of their times, and the memory of the last. */
+    private Cost cost(Scene scene, Raster raster, Renderer renderer) throws InterruptedException, IOException {
         List<Double> times = new ArrayList<>();
-        long allocated = 0;
+        long allocated;
         Counters counters;
         long begin = System.nanoTime();
         do {
@@ -215,35 +204,8 @@ public final class Growth {
             times.add((System.nanoTime() - start) / 1e6);
             allocated = allocatedBytes() - before;
         } while (System.nanoTime() - begin < LEAST_TIME);
-        double millis = GrowthResults.median(
-                times.stream().mapToDouble(Double::doubleValue).toArray());
-        add(cost(axis, value, renderer, round, millis, times.size(), allocated, counters));
-    }
-
-    private static GrowthResults.Cost cost(
-            Axis axis,
-            long value,
-            Renderer renderer,
-            int round,
-            double millis,
-            int frames,
-            long allocated,
-            Counters counters) {
-        double rounded = Math.round(millis * 1e4) / 1e4;
-        return new GrowthResults.Cost(
-                axis.id(), value, renderer.getId(), round, rounded, frames, allocated, counters.getPeakBytes());
-    }
-
-    private void add(GrowthResults.Cost cost) {
-        results.costs().add(cost);
-        System.out.printf(
-                Locale.ROOT,
-                "%-16s %,12d  %-12s %d %10.2f ms%n",
-                cost.axis(),
-                cost.value(),
-                cost.strategy(),
-                cost.round(),
-                cost.millis());
+        double[] millis = times.stream().mapToDouble(Double::doubleValue).toArray();
+        return new Cost(Measurements.median(millis).orElseThrow(), allocated, counters);
     }
 
     private Counters frame(Scene scene, Raster raster, Renderer renderer) throws InterruptedException, IOException {

@@ -1,6 +1,8 @@
 package dev.lazyz.jmh.growth;
 
 import dev.lazyz.Capability;
+import dev.lazyz.Renderer;
+import dev.lazyz.jmh.report.Measurements;
 import dev.lazyz.strategies.FrameNumbers;
 import dev.lazyz.strategies.Renderers;
 import dev.lazyz.strategies.StrategyModel;
@@ -26,23 +28,17 @@ final class ModelFit {
     /** A term is omitted if its share of the total is below this at every point. */
     private static final double NEGLIGIBLE = 1e-3;
 
-    private final GrowthResults results;
+    private final Measurements results;
     private final Map<String, double[]> nanoseconds = new HashMap<>();
 
-    ModelFit(GrowthResults results) {
+    ModelFit(Measurements results) {
         this.results = results;
-    }
-
-    /** Whether the model is fitted to a point: it has one thread, and is not on the axis of built-in scenes. */
-    static boolean isFitted(GrowthResults.Point point) {
-        return point.threads() == 1 && !point.axis().equals(Axis.SCENES.id());
     }
 
     /** Returns nanoseconds for each of the model's terms. */
     double[] nanoseconds(String strategy) {
         return nanoseconds.computeIfAbsent(
-                strategy,
-                id -> fit(id, Quantity.TIME, NANOS, numbers -> colored(id, StrategyModel.timeTerms(numbers))));
+                strategy, id -> fit(id, Growth.TIME, NANOS, numbers -> colored(id, StrategyModel.timeTerms(numbers))));
     }
 
     /**
@@ -55,9 +51,9 @@ final class ModelFit {
         return terms;
     }
 
-    /** Returns the model's estimate for a strategy at a point with one thread, milliseconds. */
-    double milliseconds(String strategy, GrowthResults.Point point) {
-        double[] terms = StrategyModel.timeTerms(point.numbers());
+    /** Returns the model's estimate for a strategy with one thread, milliseconds. */
+    double milliseconds(String strategy, FrameNumbers numbers) {
+        double[] terms = StrategyModel.timeTerms(numbers);
         double sum = 0;
         for (int i = 0; i < terms.length; i++) {
             sum += nanoseconds(strategy)[i] * terms[i];
@@ -67,7 +63,7 @@ final class ModelFit {
 
     /** Returns bytes for each of the model's terms. */
     double[] bytes(String strategy) {
-        return fit(strategy, Quantity.PEAK, 1, StrategyModel::memoryTerms);
+        return fit(strategy, Growth.PEAK, 1, StrategyModel::memoryTerms);
     }
 
     /**
@@ -75,27 +71,28 @@ final class ModelFit {
      */
     OptionalDouble serialShare(String strategy) {
         double[] times = new double[3];
-        for (GrowthResults.Point point : results.points(Axis.THREADS)) {
-            if (point.threads() < times.length) {
-                times[point.threads()] =
-                        results.median(point, strategy, Quantity.TIME.of).orElse(0);
-            }
+        for (int threads = 1; threads < times.length; threads++) {
+            times[threads] = results.median(Growth.TIME, Axis.THREADS.subject(threads), strategy)
+                    .orElse(0);
         }
         return times[1] == 0 || times[2] == 0
                 ? OptionalDouble.empty()
                 : OptionalDouble.of(rounded(Math.min(1, Math.max(0, 2 * times[2] / times[1] - 1))));
     }
 
-    private double[] fit(String strategy, Quantity quantity, double unit, Function<FrameNumbers, double[]> terms) {
+    /** Fits a quantity to all points with one thread but those of the built-in scenes. */
+    private double[] fit(String strategy, String quantity, double unit, Function<FrameNumbers, double[]> terms) {
         List<double[]> rows = new ArrayList<>();
-        for (GrowthResults.Point point : results.points()) {
-            OptionalDouble value = results.median(point, strategy, quantity.of);
-            if (isFitted(point) && value.isPresent()) {
-                double[] row = terms.apply(point.numbers());
-                for (int i = 0; i < row.length; i++) {
-                    row[i] /= value.getAsDouble() * unit;
+        for (Axis axis : Axis.values()) {
+            for (long point : axis.values) {
+                OptionalDouble value = results.median(quantity, axis.subject(point), strategy);
+                if (value.isPresent() && axis.threads(point) == 1 && axis != Axis.SCENES) {
+                    double[] row = terms.apply(Curve.numbers(results, axis, point));
+                    for (int i = 0; i < row.length; i++) {
+                        row[i] /= value.getAsDouble() * unit;
+                    }
+                    rows.add(row);
                 }
-                rows.add(row);
             }
         }
         double[] coefficients = leastSquares(rows);
@@ -131,13 +128,22 @@ final class ModelFit {
         return coefficients;
     }
 
+    /** Returns all strategies that were measured, in the order of the built-in list. */
+    List<String> strategies() {
+        List<String> measured = results.programs(Growth.TIME);
+        return Renderers.getBuiltIn().stream()
+                .map(Renderer::getId)
+                .filter(measured::contains)
+                .toList();
+    }
+
     private static double rounded(double value) {
         return new BigDecimal(value).round(new MathContext(3)).doubleValue();
     }
 
     /** Returns the Kotlin file with the coefficients. */
     String toKotlin() {
-        List<String> shares = results.strategies().stream()
+        List<String> shares = strategies().stream()
                 .filter(strategy -> serialShare(strategy).isPresent())
                 .map(strategy ->
                         "\"" + strategy + "\" to " + serialShare(strategy).getAsDouble())
@@ -146,7 +152,7 @@ final class ModelFit {
                 package dev.lazyz.strategies
 
                 /**
-                 * Coefficients of [StrategyModel], fitted to `docs/growth/results.json`. Generated by the command that
+                 * Coefficients of [StrategyModel], fitted to `docs/growth/results.csv`. Generated by the command that
                  * measures them; do not edit.
                  */
                 internal object StrategyCosts {
@@ -166,7 +172,7 @@ final class ModelFit {
 
     private String lines(Function<String, double[]> coefficients) {
         StringBuilder text = new StringBuilder();
-        for (String strategy : results.strategies()) {
+        for (String strategy : strategies()) {
             List<String> numbers = new ArrayList<>();
             for (double number : coefficients.apply(strategy)) {
                 numbers.add(Double.toString(number));

@@ -3,7 +3,7 @@ package dev.lazyz.jmh.growth;
 import java.util.Set;
 
 /**
- * A theoretical order of growth: n triangles, p pixels, d layers, c rounds, t threads.
+ * A theoretical order of growth: n triangles, p pixels, d layers, c rounds.
  *
  * @param text the order
  * @param least smallest slope on log-log at the end of the curve that is consistent with the order
@@ -15,8 +15,6 @@ record Order(String text, double least, double greatest) {
     /** Strategies that keep only one row, or a few rows, in memory at a time. */
     private static final Set<String> ROWS = Set.of("tiled", "lazy", "flow", "lists", "scanline", "warnock");
 
-    private static final Order CONSTANT = of("1", 0);
-
     private static Order of(String text, double slope) {
         return new Order(text, slope, slope);
     }
@@ -26,16 +24,8 @@ record Order(String text, double least, double greatest) {
         return slope < least - SLACK || slope > greatest + SLACK;
     }
 
-    /** Returns the order in which a strategy's cost grows along an axis. */
-    static Order of(Axis axis, Quantity quantity, String strategy) {
-        return switch (quantity) {
-            case TIME -> time(axis, strategy);
-            case ALLOCATED -> allocated(axis, strategy);
-            case PEAK -> peak(axis, strategy);
-        };
-    }
-
-    private static Order time(Axis axis, String strategy) {
+    /** Returns the order in which a strategy's time grows along an axis that has one. */
+    static Order time(Axis axis, String strategy) {
         return switch (axis) {
             case TRIANGLES -> Set.of("tiled", "zbuffer", "hybrid").contains(strategy) ? of("n", 1) : of("n log n", 1);
             case SMALL -> new Order("1 + p", 0, 1);
@@ -48,16 +38,16 @@ record Order(String text, double least, double greatest) {
                     default -> of("p d", 1);
                 };
             case SHADING -> of("p c", 1);
-            case THREADS -> new Order("1 / t, up to the processors", -1, 0);
-            case SCENES -> CONSTANT;
+            default -> throw new IllegalArgumentException(axis.id());
         };
     }
 
-    private static Order peak(Axis axis, String strategy) {
+    /** Returns the order in which a strategy's working memory grows along an axis that has one. */
+    static Order memory(Axis axis, String strategy) {
         return switch (axis) {
             case TRIANGLES ->
                 switch (strategy) {
-                    case "zbuffer" -> CONSTANT;
+                    case "zbuffer" -> of("1", 0);
                     case "hybrid" -> new Order("p + visible n", 0, 1);
                     case "painter", "hierarchical" -> new Order("p + n", 0, 1);
                     default -> new Order("√n + n", 0.5, 1);
@@ -65,23 +55,13 @@ record Order(String text, double least, double greatest) {
             case PIXELS, SMALL -> ROWS.contains(strategy) ? new Order("n + √p", 0, 0.5) : new Order("n + p", 0, 1);
             case DEPTH ->
                 switch (strategy) {
-                    case "zbuffer" -> CONSTANT;
-                    case "lists" -> of("√p d, up to a bound", 1);
+                    case "zbuffer" -> of("1", 0);
+                    case "lists" -> of("√p d up to a bound", 1);
                     case "hybrid", "painter", "hierarchical" -> new Order("p + d", 0, 1);
                     default -> new Order("√p + d", 0, 1);
                 };
-            default -> CONSTANT;
-        };
-    }
-
-    private static Order allocated(Axis axis, String strategy) {
-        return switch (axis) {
-            case TRIANGLES -> of("n", 1);
-            // These two allocate a new array for each row
-            case PIXELS, SMALL ->
-                Set.of("lazy", "flow").contains(strategy) ? new Order("n + p", 0, 1) : peak(axis, strategy);
-            case DEPTH -> new Order("frame and peak: " + peak(axis, strategy).text(), 0, 1);
-            default -> CONSTANT;
+            case SHADING -> of("1", 0);
+            default -> throw new IllegalArgumentException(axis.id());
         };
     }
 }

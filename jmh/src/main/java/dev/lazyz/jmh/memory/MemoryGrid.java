@@ -3,8 +3,8 @@ package dev.lazyz.jmh.memory;
 import dev.lazyz.Renderer;
 import dev.lazyz.StreamingRenderer;
 import dev.lazyz.jmh.large.Hills;
-import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Options;
+import dev.lazyz.jmh.report.Page;
 import dev.lazyz.strategies.Renderers;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -85,7 +85,7 @@ public final class MemoryGrid {
                     grid.rendered, grid.refused, grid.failed);
             Path page = Path.of(options.get("page", "docs/memory.md"));
             if (Files.exists(page)) {
-                Files.writeString(page, GeneratedPage.fill(Files.readString(page), tables::get));
+                Page.update(page, tables::get);
             }
         } finally {
             delete(folder);
@@ -149,7 +149,7 @@ public final class MemoryGrid {
                 System.out.println(String.join(" | ", row));
             }
         }
-        return GeneratedPage.table(head, rows);
+        return Page.table(head, rows);
     }
 
     /** Returns the hash of the picture without a limit. */

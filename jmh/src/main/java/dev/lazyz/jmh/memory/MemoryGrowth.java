@@ -3,22 +3,20 @@ package dev.lazyz.jmh.memory;
 import dev.lazyz.Renderer;
 import dev.lazyz.StreamingRenderer;
 import dev.lazyz.jmh.large.Hills;
-import dev.lazyz.jmh.report.GeneratedPage;
+import dev.lazyz.jmh.report.Charts;
+import dev.lazyz.jmh.report.Measurements;
 import dev.lazyz.jmh.report.Options;
+import dev.lazyz.jmh.report.Page;
 import dev.lazyz.strategies.Renderers;
-import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import org.knowm.xchart.ChartEncoder;
-import org.knowm.xchart.XYChart;
-import org.knowm.xchart.XYChartBuilder;
-import org.knowm.xchart.style.Styler;
 
 /**
  * Finds the smallest heap, {@code -Xmx}, with which each strategy renders a picture, by bisection, while the picture or
@@ -42,6 +40,9 @@ public final class MemoryGrowth {
 
     private static final int MOST = 4096;
 
+    /** The quantity that is found. */
+    private static final String HEAP = "heap MiB";
+
     private final Path jar;
     private final int seconds;
     private final Path folder;
@@ -59,40 +60,37 @@ public final class MemoryGrowth {
                 Path.of(options.get("jar", "cli/target/zcli.jar")),
                 Integer.parseInt(options.get("seconds", "40")),
                 folder);
-        Path page = Path.of(options.get("page", "docs/memory.md"));
+        Measurements heaps = new Measurements();
+        heaps.noteMachine();
         Path charts = Path.of(options.get("charts", "docs/images"));
         try {
             for (String axis : options.list("axis", "pixels,triangles")) {
-                boolean isPixels = axis.equals("pixels");
-                List<Integer> points = isPixels ? SIDES : TRIANGLES;
-                Map<String, List<Integer>> curves = new LinkedHashMap<>();
                 for (Map.Entry<String, List<String>> contender : contenders().entrySet()) {
-                    List<Integer> curve =
-                            isPixels ? growth.pixels(contender.getValue()) : growth.triangles(contender.getValue());
-                    curves.put(contender.getKey(), curve);
-                    System.out.println(contender.getKey() + " " + curve);
-
-                    // If a long run is stopped, the results so far are kept
-                    write(axis, points, curves, page, charts);
+                    growth.measure(axis, contender.getKey(), contender.getValue(), heaps);
                 }
+                chart(axis, heaps, charts.resolve("memory-" + axis + ".png"));
             }
         } finally {
             Files.deleteIfExists(folder.resolve("model.stl"));
             Files.deleteIfExists(folder.resolve("picture.ppm"));
             Files.delete(folder);
         }
+        Page.update(
+                Path.of(options.get("page", "docs/memory.md")),
+                name -> points(name).isEmpty() ? null : table(name, heaps));
     }
 
-    private static void write(
-            String axis, List<Integer> points, Map<String, List<Integer>> curves, Path page, Path charts)
-            throws IOException {
-        String table = table(axis.equals("pixels") ? "side of the picture" : "triangles", points, curves);
-        Path chart = charts.resolve("memory-" + axis + ".png");
-        ChartEncoder.saveChart(chart(axis, points, curves), chart.toString(), "png");
-        if (Files.exists(page)) {
-            String filled = GeneratedPage.fill(Files.readString(page), name -> name.equals(axis) ? table : null);
-            Files.writeString(page, filled);
-        }
+    /** Returns the values along an axis; none if there is no such axis. */
+    private static List<Integer> points(String axis) {
+        return switch (axis) {
+            case "pixels" -> SIDES;
+            case "triangles" -> TRIANGLES;
+            default -> List.of();
+        };
+    }
+
+    private static String subject(String axis, int point) {
+        return axis + " " + point;
     }
 
     /** The strategies, each with the options that choose it; those that can read a model part by part also do that. */
@@ -108,36 +106,31 @@ public final class MemoryGrowth {
         return all;
     }
 
-    private List<Integer> pixels(List<String> contender) throws IOException, InterruptedException {
-        Hills.write(folder.resolve("model.stl"), TRIANGLES.get(0));
-        List<Integer> curve = new ArrayList<>();
-        for (int side : SIDES) {
-            curve.add(least(contender, side, curve));
+    /** Finds the smallest heap at each point of an axis with which there is one. */
+    private void measure(String axis, String name, List<String> contender, Measurements heaps)
+            throws IOException, InterruptedException {
+        int last = FIRST;
+        for (int point : points(axis)) {
+            boolean isSide = axis.equals("pixels");
+            Hills.write(folder.resolve("model.stl"), isSide ? TRIANGLES.get(0) : point);
+            last = least(contender, isSide ? point : SIDES.get(0), last);
+            if (last == 0) {
+                return;
+            }
+            heaps.add(HEAP, subject(axis, point), name, 0, last);
         }
-        return curve;
-    }
-
-    private List<Integer> triangles(List<String> contender) throws IOException, InterruptedException {
-        List<Integer> curve = new ArrayList<>();
-        for (int triangles : TRIANGLES) {
-            Hills.write(folder.resolve("model.stl"), triangles);
-            curve.add(least(contender, SIDES.get(0), curve));
-        }
-        return curve;
     }
 
     /**
-     * Returns the smallest heap that is enough, mebibytes, or 0 if none is. It is about that of the point {@code
-     * before}.
+     * Returns the smallest heap that is enough, mebibytes, or 0 if none is. It is about {@code last}.
      */
-    private int least(List<String> contender, int side, List<Integer> before) throws IOException, InterruptedException {
+    private int least(List<String> contender, int side, int last) throws IOException, InterruptedException {
         List<String> words = new ArrayList<>(List.of(folder.resolve("model.stl").toString()));
         words.addAll(contender);
         words.addAll(List.of("--shading", "flat", "--aa", "1", "--size", String.valueOf(side)));
         words.addAll(List.of("-o", folder.resolve("picture.ppm").toString()));
-        int last = before.isEmpty() ? FIRST : before.get(before.size() - 1);
-        int tooLittle = last == 0 ? MOST : last * 3 / 4;
-        int enough = last == 0 ? MOST : last;
+        int tooLittle = last * 3 / 4;
+        int enough = last;
         while (enough <= MOST && !isEnough(enough, words)) {
             tooLittle = enough;
             enough *= 2;
@@ -162,46 +155,30 @@ public final class MemoryGrowth {
                 == 0;
     }
 
-    private static String table(String axis, List<Integer> points, Map<String, List<Integer>> curves) {
+    private static String table(String axis, Measurements heaps) {
         List<String> head = new ArrayList<>(List.of(axis));
-        points.forEach(point -> head.add(String.format("%,d", point)));
+        points(axis).forEach(point -> head.add(String.format(Locale.ROOT, "%,d", point)));
         List<List<String>> rows = new ArrayList<>();
-        curves.forEach((name, curve) -> {
+        for (String name : heaps.programs(HEAP)) {
             List<String> row = new ArrayList<>(List.of(name));
-            curve.forEach(least -> row.add(least == 0 ? "–" : least + " MiB"));
+            points(axis)
+                    .forEach(point -> row.add(Page.number("%.0f MiB", heaps.median(HEAP, subject(axis, point), name))));
             rows.add(row);
-        });
-        return GeneratedPage.table(head, rows);
+        }
+        return Page.table(head, rows);
     }
 
-    private static XYChart chart(String axis, List<Integer> points, Map<String, List<Integer>> curves) {
+    private static void chart(String axis, Measurements heaps, Path file) throws IOException {
         boolean isPixels = axis.equals("pixels");
-        XYChart chart = new XYChartBuilder()
-                .width(1000)
-                .height(620)
-                .title("Smallest heap, by " + (isPixels ? "side of the picture" : "number of triangles"))
-                .xAxisTitle(isPixels ? "side of the picture, pixels" : "triangles")
-                .yAxisTitle("smallest -Xmx, MiB")
-                .build();
-        chart.getStyler().setXAxisLogarithmic(true);
-        chart.getStyler().setYAxisLogarithmic(true);
-        chart.getStyler().setYAxisMin(1.0);
-        chart.getStyler().setYAxisMax(10_000.0);
-        chart.getStyler().setLegendPosition(Styler.LegendPosition.OutsideE);
-        chart.getStyler().setChartBackgroundColor(Color.WHITE);
-        curves.forEach((name, curve) -> {
-            List<Integer> x = new ArrayList<>();
-            List<Integer> y = new ArrayList<>();
-            for (int i = 0; i < curve.size(); i++) {
-                if (curve.get(i) > 0) {
-                    x.add(points.get(i));
-                    y.add(curve.get(i));
-                }
+        Map<String, List<double[]>> curves = new LinkedHashMap<>();
+        for (String name : heaps.programs(HEAP)) {
+            List<double[]> curve = new ArrayList<>();
+            for (int point : points(axis)) {
+                heaps.median(HEAP, subject(axis, point), name).ifPresent(heap -> curve.add(new double[] {point, heap}));
             }
-            if (!x.isEmpty()) {
-                chart.addSeries(name, x, y);
-            }
-        });
-        return chart;
+            curves.put(name, curve);
+        }
+        String title = isPixels ? "side of the picture" : "number of triangles";
+        Charts.curves(file, "Smallest heap by " + title, title, "smallest -Xmx, MiB", curves);
     }
 }

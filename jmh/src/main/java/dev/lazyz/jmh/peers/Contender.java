@@ -15,7 +15,7 @@ import java.util.List;
  */
 record Contender(String name, Kind kind, List<String> command) {
     /** Ends the name of one that shades once a pixel. */
-    static final String PIXELS = ", once a pixel";
+    static final String PIXELS = " once a pixel";
 
     /** Kinds of programs. */
     enum Kind {

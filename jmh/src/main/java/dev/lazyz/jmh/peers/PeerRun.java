@@ -11,7 +11,6 @@ import dev.lazyz.RowSink;
 import dev.lazyz.filter.PixelFilter;
 import dev.lazyz.filter.ShadingRate;
 import dev.lazyz.filter.SuperSampling;
-import dev.lazyz.jmh.report.JsonRecords;
 import dev.lazyz.jmh.report.Options;
 import dev.lazyz.jmh.workload.SteadyState;
 import dev.lazyz.strategies.Renderers;
@@ -47,13 +46,6 @@ public final class PeerRun {
     private final Renderer renderer;
     private volatile int seen;
 
-    /** Times of frames in milliseconds, the first one before the warm-up; and the version of the runtime. */
-    private record Measured(
-            double median, double q1, double q3, double min, double max, double first, int frames, String version) {}
-
-    /** Number of samples of a picture in which something is visible, and the picture's hash. */
-    private record Written(long covered, String hash) {}
-
     private PeerRun(Scene scene, SuperSampling sampling, int side, Renderer renderer) {
         this.scene = scene;
         this.sampling = sampling;
@@ -81,22 +73,14 @@ public final class PeerRun {
         String picture = options.get("picture", "");
         if (picture.isEmpty()) {
             double warmUp = Double.parseDouble(options.get("warm-up", "3"));
-            print(run.measure(warmUp, Double.parseDouble(options.get("measure", "4"))));
+            System.out.println(run.measure(warmUp, Double.parseDouble(options.get("measure", "4"))));
         } else {
-            print(run.write(Path.of(picture)));
+            System.out.println(run.write(Path.of(picture)));
         }
     }
 
-    private static void print(Record results) {
-        System.out.println(JsonRecords.of(results));
-    }
-
-    /** Returns {@code milliseconds} with four decimals. */
-    private static double rounded(double milliseconds) {
-        return Math.rint(1e4 * milliseconds) / 1e4;
-    }
-
-    private Measured measure(double warmUp, double measure) throws InterruptedException, IOException {
+    /** Returns times of frames in milliseconds, the first one before the warm-up, as JSON. */
+    private String measure(double warmUp, double measure) throws InterruptedException, IOException {
         double first = frame();
         SteadyState.await(warmUp, this::frame);
         double[] times = new double[1 << 16];
@@ -106,15 +90,15 @@ public final class PeerRun {
             times[count++] = frame();
         }
         Arrays.sort(times, 0, count);
-        return new Measured(
-                rounded(times[count / 2]),
-                rounded(times[count / 4]),
-                rounded(times[3 * count / 4]),
-                rounded(times[0]),
-                rounded(times[count - 1]),
-                rounded(first),
+        return String.format(
+                Locale.ROOT,
+                "{\"median\":%.4f,\"min\":%.4f,\"max\":%.4f,\"first\":%.4f,\"frames\":%d,\"version\":\"%s\"}",
+                times[count / 2],
+                times[0],
+                times[count - 1],
+                first,
                 count,
-                Runtime.version().toString());
+                Runtime.version());
     }
 
     private Counters render(RowSink sink) throws InterruptedException, IOException {
@@ -132,8 +116,9 @@ public final class PeerRun {
 
     /**
      * Writes the image like the other renderers: red, green, blue, alpha, one byte each, sRGB, in rows from the top.
+     * Returns the number of samples in which something is visible, and the picture's hash, as JSON.
      */
-    private Written write(Path file) throws InterruptedException, IOException {
+    private String write(Path file) throws InterruptedException, IOException {
         PixelHash hash = new PixelHash();
         long[] covered = new long[1];
         try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
@@ -155,6 +140,6 @@ public final class PeerRun {
             };
             render(sink);
         }
-        return new Written(covered[0], hash.digest());
+        return "{\"covered\":" + covered[0] + ",\"hash\":\"" + hash.digest() + "\"}";
     }
 }

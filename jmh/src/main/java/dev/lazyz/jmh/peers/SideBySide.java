@@ -1,6 +1,6 @@
 package dev.lazyz.jmh.peers;
 
-import dev.lazyz.jmh.report.JsonRecords;
+import dev.lazyz.jmh.report.Measurements;
 import dev.lazyz.jmh.report.Options;
 import dev.lazyz.jmh.workload.Triangles;
 import dev.lazyz.jmh.workload.Workloads;
@@ -10,10 +10,8 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -21,6 +19,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import kotlinx.serialization.json.Json;
+import kotlinx.serialization.json.JsonElementKt;
 import kotlinx.serialization.json.JsonObject;
 
 /**
@@ -35,8 +35,7 @@ import kotlinx.serialization.json.JsonObject;
  * with {@value #SAMPLES} x {@value #SAMPLES}, shaded once a sample and, as llvmpipe does it, once a pixel.
  *
  * <p>With {@code --keep}, the file of results exists already, and results of other scenes and of whole processes are
- * kept. The facts of the new run then begin with {@value #ADDED}. With {@code --only} in addition, all results are
- * kept, and the named renderers and llvmpipe are measured in further rounds, whose facts begin with {@value #FURTHER}.
+ * kept.
  */
 public final class SideBySide {
     private static final Set<String> OPTIONS = Set.of(
@@ -58,16 +57,19 @@ public final class SideBySide {
             "measure",
             "results",
             "keep",
-            "only",
             "fact");
+
+    /** The renderer that others are compared with. */
+    static final String BASE = "llvmpipe";
+
+    /** Wall-clock time of a frame in steady state: the median of the frames of a process. */
+    static final String TIME = "frame ms";
+
+    /** Wall-clock time of a process that renders one small image, from its start to its end. */
+    static final String START = "process ms";
+
     /** The scene of the processes that are timed from start to end. */
-    private static final String COLD_SCENE = "teapot";
-
-    /** Begins the names of facts that are true of results that were added later. */
-    private static final String ADDED = "added: ";
-
-    /** Begins the names of facts that are true of further rounds. */
-    private static final String FURTHER = "further: ";
+    static final String COLD_SCENE = "teapot";
 
     /** Samples a pixel of anti-aliased pictures, along each side of the pixel. */
     static final int SAMPLES = 4;
@@ -77,52 +79,33 @@ public final class SideBySide {
 
     private final Options options;
     private final Path folder;
-    private final Results results;
+    private final Measurements results;
     private final List<Contender> contenders = new ArrayList<>();
     private final Map<String, Triangles> triangles = new HashMap<>();
 
-    /** Whether all results are kept, and some renderers are measured again. */
-    private final boolean isFurther;
-
-    /** Number of rounds in the results that are kept. */
-    private final int roundsBefore;
-
-    private SideBySide(Options options, Path folder, Results results) {
+    private SideBySide(Options options, Path folder, Measurements results) {
         this.options = options;
         this.folder = folder;
         this.results = results;
         for (String command : options.all("llvmpipe")) {
-            contenders.add(Contender.parse(Contender.Kind.LLVMPIPE, Results.BASE + "=" + command));
-            contenders.add(
-                    Contender.parse(Contender.Kind.LLVMPIPE_VISIBILITY, Results.BASE + ", visibility=" + command));
+            contenders.add(Contender.parse(Contender.Kind.LLVMPIPE, BASE + "=" + command));
+            contenders.add(Contender.parse(Contender.Kind.LLVMPIPE_VISIBILITY, BASE + " for visibility=" + command));
         }
         options.all("euc").forEach(command -> contenders.add(Contender.parse(Contender.Kind.EUC, "euc=" + command)));
         options.all("vtk").forEach(command -> contenders.add(Contender.parse(Contender.Kind.VTK, "VTK=" + command)));
         options.all("jmol").forEach(command -> contenders.add(Contender.parse(Contender.Kind.JMOL, "Jmol=" + command)));
         options.all("ours").forEach(text -> contenders.add(Contender.parse(Contender.Kind.OURS, text)));
-        isFurther = !options.all("only").isEmpty();
-        roundsBefore = isFurther ? results.rounds() : 0;
-        if (isFurther) {
-            Set<String> measured = new HashSet<>(options.all("only"));
-            measured.add(Results.BASE);
-            contenders.removeIf(contender -> !measured.contains(contender.name()));
-        }
     }
 
     /** Options: see {@code jmh/README.md}. */
     public static void main(String[] args) throws IOException, InterruptedException {
         Options options = new Options(args, OPTIONS);
-        Path output = Path.of(options.get("results", "results.json"));
+        Path output = Path.of(options.get("results", "results.csv"));
         boolean isKept = Boolean.parseBoolean(options.get("keep", "false"));
-        boolean isFurther = !options.all("only").isEmpty();
-        if (isFurther && !isKept) {
-            throw new IllegalArgumentException("--only adds rounds to earlier results: add --keep true");
-        }
-        Results results = isKept ? Results.read(output) : Results.empty();
+        Measurements results = isKept ? Measurements.read(output) : new Measurements();
         Path folder = Files.createTempDirectory("lazyz-peers-");
         try {
-            String addition = isFurther ? FURTHER : ADDED;
-            new SideBySide(options, folder, results).run(output, isKept ? addition : "");
+            new SideBySide(options, folder, results).run(output, !isKept);
         } finally {
             for (Path file : Files.list(folder).toList()) {
                 Files.delete(file);
@@ -131,7 +114,7 @@ public final class SideBySide {
         }
     }
 
-    private void run(Path file, String addition) throws IOException, InterruptedException {
+    private void run(Path file, boolean isWhole) throws IOException, InterruptedException {
         List<String> lit = options.list("lit", "").stream()
                 .map(name -> TriangleSource.LIT + name)
                 .toList();
@@ -141,7 +124,7 @@ public final class SideBySide {
         List<Integer> sides = integers("sides", "1024");
         List<Integer> otherSides = integers("other-sides", "1024");
         List<Integer> threads = integers("threads", "1,2");
-        recordFacts(addition);
+        recordFacts();
         for (String scene : compared) {
             export(scene);
         }
@@ -158,7 +141,7 @@ public final class SideBySide {
         comparePictures(others, otherSides.get(0), contender -> true);
         int rounds = Integer.parseInt(options.get("rounds", "3"));
         for (int round = 1; round <= rounds; round++) {
-            if (addition.isEmpty()) {
+            if (isWhole) {
                 start(round);
             }
             measure(compared, sides.get(0), threads, round, file, contender -> true);
@@ -204,24 +187,20 @@ public final class SideBySide {
     }
 
     /** Records the facts that are needed to judge the figures. */
-    private void recordFacts(String addition) throws IOException {
+    private void recordFacts() throws IOException {
+        results.noteMachine();
         for (String fact : options.all("fact")) {
             int at = fact.indexOf('=');
-            results.addFact(addition + fact.substring(0, at), fact.substring(at + 1));
+            results.note(fact.substring(0, at), fact.substring(at + 1));
         }
-        results.addFact(addition + "date", LocalDate.now().toString());
-        results.addFact(addition + "rounds", options.get("rounds", "3"));
-        results.addFact(addition + "warm-up, s", options.get("warm-up", "3"));
-        results.addFact(addition + "measurement, s", options.get("measure", "4"));
     }
 
     private void export(String scene) throws IOException {
         Triangles exported = TriangleSource.find(scene);
         exported.write(file(scene));
         triangles.put(scene, exported);
-        if (!isFurther) {
-            results.drop(TriangleSource.label(scene));
-        }
+        String label = TriangleSource.label(scene);
+        results.removeIf(value -> value.subject().startsWith(label + "; "));
     }
 
     private Path file(String scene) {
@@ -247,10 +226,6 @@ public final class SideBySide {
         Path ourPicture = folder.resolve("ours.picture");
         Path theirPicture = folder.resolve("theirs.picture");
         for (String scene : scenes) {
-            if (isFurther) {
-                requireSamePicture(ours, scene, side, ourPicture);
-                continue;
-            }
             addPicture(ours, scene, side, ourPicture, ourPicture);
             for (Contender contender : contenders) {
                 if (contender.kind() != Contender.Kind.OURS && which.test(contender) && canDraw(contender, scene, 1)) {
@@ -258,27 +233,6 @@ public final class SideBySide {
                 }
             }
         }
-    }
-
-    /** Fails if the picture is not the one that was measured before: after the camera has changed, for example. */
-    private void requireSamePicture(Contender ours, String scene, int side, Path file)
-            throws IOException, InterruptedException {
-        JsonObject printed = drawn(ours, scene, side, file);
-        String label = TriangleSource.label(scene);
-        for (Results.Picture picture : results.pictures()) {
-            if (printed != null
-                    && picture.scene().equals(label)
-                    && picture.side() == side
-                    && picture.isOurs()
-                    && picture.covered() != covered(printed)) {
-                throw new IllegalStateException(label + " covers " + covered(printed) + " samples, and covered "
-                        + picture.covered() + " when the others were measured: measure all of them again");
-            }
-        }
-    }
-
-    private static long covered(JsonObject printed) {
-        return (long) JsonRecords.real(printed, "covered");
     }
 
     private JsonObject drawn(Contender contender, String scene, int side, Path picture)
@@ -295,16 +249,14 @@ public final class SideBySide {
             return;
         }
         PictureDifference difference = PictureDifference.of(ours, theirs);
-        results.pictures()
-                .add(new Results.Picture(
-                        TriangleSource.label(scene),
-                        side,
-                        contender.name(),
-                        covered(printed),
-                        difference.oursOnly(),
-                        difference.theirsOnly(),
-                        contender.isSrgb() ? difference.unequal() : -1,
-                        contender.isSrgb() ? difference.mean() : -1));
+        String subject = new Subject(TriangleSource.label(scene), side, 1, 1).toString();
+        results.add("samples covered", subject, contender.name(), 0, number(printed, "covered"));
+        results.add("samples of ours only", subject, contender.name(), 0, difference.oursOnly());
+        results.add("samples of theirs only", subject, contender.name(), 0, difference.theirsOnly());
+        if (contender.isSrgb()) {
+            results.add("samples of other colour", subject, contender.name(), 0, difference.unequal());
+            results.add("mean difference of 255", subject, contender.name(), 0, difference.mean());
+        }
     }
 
     private void measure(
@@ -332,32 +284,16 @@ public final class SideBySide {
         if (printed == null) {
             return;
         }
-        Results.Time time = new Results.Time(
-                TriangleSource.label(scene),
-                side,
-                samples,
-                threads,
-                contender.name(),
-                roundsBefore + round,
-                JsonRecords.real(printed, "median"),
-                JsonRecords.real(printed, "q1"),
-                JsonRecords.real(printed, "q3"),
-                JsonRecords.real(printed, "min"),
-                JsonRecords.real(printed, "max"),
-                JsonRecords.real(printed, "first"),
-                JsonRecords.integer(printed, "frames"));
-        results.times().add(time);
-        results.facts().putIfAbsent("version of " + contender.name(), JsonRecords.text(printed, "version"));
-        System.out.printf(
-                "round %d  %-16s %5d x %d  %d thread%s  %-24s %10.2f ms%n",
-                time.round(),
-                time.scene(),
-                side,
-                samples,
-                threads,
-                threads == 1 ? " " : "s",
-                contender.name(),
-                time.median());
+        Subject subject = new Subject(TriangleSource.label(scene), side, samples, threads);
+        results.add(TIME, subject.toString(), contender.name(), round, number(printed, "median"));
+        results.facts()
+                .put(
+                        "version of " + contender.name(),
+                        JsonElementKt.getJsonPrimitive(printed.get("version")).getContent());
+    }
+
+    private static double number(JsonObject printed, String name) {
+        return JsonElementKt.getDouble(JsonElementKt.getJsonPrimitive(printed.get(name)));
     }
 
     /** Times whole processes, from start to end, that render one image to a file. */
@@ -380,7 +316,7 @@ public final class SideBySide {
             }
             double time = (System.nanoTime() - begin) / 1e6;
             Files.delete(picture);
-            results.starts().add(new Results.Start(contender.name(), round, time));
+            results.add(START, COLD_SCENE, contender.name(), round, time);
         }
     }
 
@@ -410,7 +346,8 @@ public final class SideBySide {
             System.err.println("failed: " + String.join(" ", command));
             return null;
         }
-        return JsonRecords.parse(printed.substring(printed.lastIndexOf('\n') + 1));
+        return JsonElementKt.getJsonObject(
+                Json.Default.parseToJsonElement(printed.substring(printed.lastIndexOf('\n') + 1)));
     }
 
     private static ProcessBuilder builder(List<String> command, int threads) {

@@ -16,7 +16,7 @@ public final class TriangleSource {
     static final String LIT = "lit:";
 
     /** Ends the labels of such scenes and files. */
-    static final String LIT_LABEL = ", lit";
+    static final String LIT_LABEL = " lit";
 
     private TriangleSource() {}
 
@@ -32,7 +32,7 @@ public final class TriangleSource {
 
     /** Returns the name as tables show it: a file name without its folder, and whether it is lit. */
     public static String label(String name) {
-        return Path.of(plain(name)).getFileName() + (isLit(name) ? LIT_LABEL : "");
+        return Path.of(plain(name)).getFileName().toString().replace(',', ' ') + (isLit(name) ? LIT_LABEL : "");
     }
 
     private static boolean isLit(String name) {

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.lazyz.jmh.report.Measurements;
+import dev.lazyz.jmh.report.Page;
 import dev.lazyz.strategies.Renderers;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -25,56 +27,44 @@ class GrowthTest {
     /** The same where the usual winner is left out: then many are about as fast. */
     private static final double FAIR = 0.7;
 
-    private static GrowthResults committed() throws IOException {
-        return GrowthResults.read(DOCS.resolve("growth/results.json"));
+    private static Measurements committed() throws IOException {
+        return Measurements.read(DOCS.resolve("growth/results.csv"));
     }
 
     @Test
     @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     void theModelChoosesWell() throws IOException {
         GrowthPage page = new GrowthPage(committed());
-        assertTrue(page.good(false) >= GOOD * page.points(false), page.good(false) + " of " + page.points(false));
-        assertTrue(page.good(true) >= FAIR * page.points(true), page.good(true) + " of " + page.points(true));
+        assertTrue(page.good(false) >= GOOD * page.choices(false), page.section("choices"));
+        assertTrue(page.good(true) >= FAIR * page.choices(true), page.section("choices"));
     }
 
     @Test
     void allStrategiesAndAxesWereMeasured() throws IOException {
-        GrowthResults results = committed();
+        Measurements results = committed();
+        List<String> measured = results.subjects(Growth.PRIMITIVES);
         for (Axis axis : Axis.values()) {
-            assertEquals(axis.values.length, results.points(axis).size(), axis.id());
+            axis.first(axis.values.length).forEach(value -> assertTrue(measured.contains(axis.subject(value))));
         }
-        assertEquals(Renderers.getBuiltIn().size(), results.strategies().size());
+        assertEquals(
+                Renderers.getBuiltIn().size(), results.programs(Growth.TIME).size());
     }
 
     @Test
     @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     void thePageAndTheModelAreThoseOfTheResults() throws IOException {
         String remedy = "run GrowthPage, see jmh/README.md";
-        GrowthPage results = new GrowthPage(committed());
-        for (String name : List.of("growth.md", "growth-tables.md")) {
-            String page = Files.readString(DOCS.resolve(name));
-            assertEquals(page, results.fill(page), remedy);
-        }
+        String page = Files.readString(DOCS.resolve("growth.md"));
+        assertEquals(page, Page.fill(page, new GrowthPage(committed())::section), remedy);
         assertEquals(Files.readString(ROOT.resolve(GrowthPage.COSTS)), new ModelFit(committed()).toKotlin(), remedy);
-    }
-
-    /** The first screen, of about forty lines, has the figures that matter. */
-    @Test
-    void thePageBeginsWithTheSummary() throws IOException {
-        List<String> lines = Files.readAllLines(DOCS.resolve("growth.md"));
-        assertTrue(lines.indexOf("## What is measured") <= 40);
-        assertTrue(lines.indexOf("<!-- generated: summary -->") < lines.indexOf("<!-- end -->"));
-        assertTrue(lines.indexOf("<!-- end -->") < lines.indexOf("## What is measured"));
     }
 
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     void aRunWritesResultsPageChartsAndModel(@TempDir Path folder) throws InterruptedException, IOException {
         Path page = folder.resolve("growth.md");
-        Path tables = folder.resolve("growth-tables.md");
-        Path file = folder.resolve("results.json");
+        Path file = folder.resolve("results.csv");
         Files.copy(DOCS.resolve("growth.md"), page);
-        Files.copy(DOCS.resolve("growth-tables.md"), tables);
         Growth.main(new String[] {
             "--points",
             "2",
@@ -91,14 +81,14 @@ class GrowthTest {
             "--costs",
             folder.resolve("costs.kt").toString(),
         });
-        GrowthResults results = GrowthResults.read(file);
-        assertEquals(4, results.points().size());
+        Measurements results = Measurements.read(file);
+        assertEquals(4, results.subjects(Growth.PRIMITIVES).size());
         assertEquals(
-                Renderers.getBuiltIn().size(), results.strategies(Axis.DEPTH).size());
-        assertEquals(List.of("tiled"), results.strategies(Axis.THREADS));
-        assertTrue(Files.readString(tables).contains("| depth complexity | 1 | 3 | theory |"));
+                Renderers.getBuiltIn().size(), results.programs(Growth.TIME).size());
+        assertEquals(1, results.ascending(Growth.TIME, "threads 1", "tiled").length);
+        assertEquals(0, results.ascending(Growth.TIME, "threads 1", "zbuffer").length);
         String summary = Files.readString(page);
-        assertTrue(summary.contains("| tiled |  |  |  |  |  |\n"), summary);
+        assertTrue(summary.contains("| tiled | – | – | – | – | – |\n"), summary);
         assertTrue(summary.matches("(?s).*`tiled` is the fastest in \\d of 2 measured frames\\..*"), summary);
         assertTrue(Files.size(folder.resolve("depth-time.png")) > 0);
         assertTrue(Files.readString(folder.resolve("costs.kt")).contains("\"tiled\" to doubleArrayOf("));
@@ -108,8 +98,8 @@ class GrowthTest {
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     void whatIsTooSlowIsNotMeasuredFurtherOn(@TempDir Path folder) throws InterruptedException, IOException {
         Path page = folder.resolve("growth.md");
-        Path file = folder.resolve("results.json");
-        Files.writeString(page, "<!-- generated: shading time -->\n<!-- end -->\n");
+        Path file = folder.resolve("results.csv");
+        Files.writeString(page, "<!-- generated: time -->\n<!-- end -->\n");
         Growth.main(new String[] {
             "--points",
             "2",
@@ -128,19 +118,20 @@ class GrowthTest {
             "--costs",
             folder.resolve("costs.kt").toString(),
         });
-        GrowthResults results = GrowthResults.read(file);
-        assertEquals(Renderers.getBuiltIn().size(), results.costs().size());
-        assertEquals(Renderers.getBuiltIn().size(), results.missing().size());
-        assertTrue(Files.readString(page).contains(" | too slow | p c |  |  |"), Files.readString(page));
+        Measurements results = Measurements.read(file);
+        int strategies = Renderers.getBuiltIn().size();
+        assertEquals(List.of("shading 1"), results.subjects(Growth.TIME));
+        assertEquals(strategies, results.programs(Growth.TIME).size());
+        assertTrue(Files.readString(page).contains("| –: p c |"), Files.readString(page));
     }
 
     @Test
     void slopesAreExponents() {
         List<double[]> square =
                 List.of(new double[] {1, 5}, new double[] {2, 5}, new double[] {4, 80}, new double[] {8, 320});
-        assertEquals(2, Slope.last(square.subList(1, 4).subList(1, 3)), 1e-9);
-        assertEquals(Math.log(64) / Math.log(4), Slope.last(square), 1e-9);
-        assertTrue(Double.isNaN(Slope.last(square.subList(0, 1))));
+        assertEquals(2, new Curve(square.subList(2, 4)).slope(), 1e-9);
+        assertEquals(Math.log(64) / Math.log(4), new Curve(square).slope(), 1e-9);
+        assertTrue(Double.isNaN(new Curve(square.subList(0, 1)).slope()));
         assertTrue(new Order("n", 1, 1).isDeparture(1.2) && !new Order("n", 1, 1).isDeparture(0.9));
     }
 

@@ -1,0 +1,188 @@
+package dev.lazyz.jmh.peers;
+
+import dev.lazyz.jmh.report.Charts;
+import dev.lazyz.jmh.report.Measurements;
+import dev.lazyz.jmh.report.Page;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.Predicate;
+
+/** Writes the tables of {@code docs/performance.md} and its charts from the results of {@link SideBySide} and {@link Jobs}. */
+public final class PeerPage {
+    /** Width and height of the pictures in tables. */
+    private static final int SIDE = 1024;
+
+    /** Lazy Z as tables show it: with the Vector API, and without. */
+    private static final List<String> OURS = List.of("JDK 25 with the Vector API", "JDK 25");
+
+    /** What the scenes are. */
+    private static final Map<String, String> CONTENTS = Map.of(
+            "S1", "S1, 100,000 triangles of about 200 pixels",
+            "S2", "S2, a mesh of 1,002,252 triangles of 1 to 2 pixels",
+            "S3", "S3, 100 layers, from back to front",
+            "S4", "S4, 100 layers, from front to back",
+            "S5", "S5, the triangles of S1 with an expensive shader",
+            "S6", "S6, 10,000 triangles of about 20,000 pixels");
+
+    private final Measurements results;
+    private final List<Subject> subjects;
+
+    private final Measurements jobs;
+
+    PeerPage(Measurements results, Measurements jobs) {
+        this.results = results;
+        this.jobs = jobs;
+        this.subjects =
+                results.subjects(SideBySide.TIME).stream().map(Subject::parse).toList();
+    }
+
+    /** Two arguments: the page, and the folder with results.csv and jobs.csv, which also receives the charts. */
+    public static void main(String[] args) throws IOException {
+        if (args.length != 2) {
+            throw new IllegalArgumentException("give the page and the folder of results");
+        }
+        Path folder = Path.of(args[1]);
+        PeerPage page = new PeerPage(
+                Measurements.read(folder.resolve("results.csv")), Measurements.read(folder.resolve("jobs.csv")));
+        Page.update(Path.of(args[0]), page::section);
+        for (int threads : List.of(1, 2)) {
+            page.writeChart(folder, threads);
+        }
+    }
+
+    /** Returns a table of the page by its name. */
+    String section(String name) {
+        return switch (name) {
+            case "summary" -> summary();
+            case "meshes" -> meshes();
+            case "lit" -> lit();
+            case "starts" -> starts();
+            case "jobs" -> Jobs.table(jobs);
+            default -> throw new IllegalArgumentException("no table '" + name + "'");
+        };
+    }
+
+    private static boolean isMesh(Subject subject) {
+        return subject.scene().contains(".") && !isLit(subject);
+    }
+
+    private static boolean isLit(Subject subject) {
+        return subject.scene().endsWith(TriangleSource.LIT_LABEL);
+    }
+
+    /** Scenes that are not mesh files, at the main size, with baked light. */
+    private Predicate<Subject> isScene(int threads) {
+        return subject -> subject.side() == SIDE && subject.threads() == threads && !isMesh(subject) && !isLit(subject);
+    }
+
+    private OptionalDouble time(Subject subject, String program) {
+        return results.median(SideBySide.TIME, subject.toString(), program);
+    }
+
+    private OptionalDouble ratio(Subject subject, String program) {
+        return Measurements.median(results.ratios(SideBySide.TIME, subject.toString(), program, SideBySide.BASE));
+    }
+
+    /** Returns the times of scenes with one thread. */
+    private String summary() {
+        List<String> head = new ArrayList<>(List.of(SIDE + " x " + SIDE + ", 1 thread", SideBySide.BASE + ", ms"));
+        OURS.forEach(program -> head.addAll(List.of(program + ", ms", "times as fast")));
+        List<List<String>> rows = new ArrayList<>();
+        for (Subject subject : subjects.stream().filter(isScene(1)).toList()) {
+            List<String> row = new ArrayList<>(List.of(
+                    CONTENTS.getOrDefault(subject.scene(), subject.scene()),
+                    Page.time(time(subject, SideBySide.BASE))));
+            OURS.forEach(program ->
+                    row.addAll(List.of(Page.time(time(subject, program)), Page.ratio(ratio(subject, program)))));
+            rows.add(row);
+        }
+        return Page.table(head, rows) + "\n" + Page.source(results);
+    }
+
+    /** Returns sentences about all pictures of mesh files. */
+    private String meshes() {
+        StringBuilder text = new StringBuilder();
+        for (String program : OURS) {
+            double[] ratios = subjects.stream()
+                    .filter(PeerPage::isMesh)
+                    .map(subject -> ratio(subject, program))
+                    .filter(OptionalDouble::isPresent)
+                    .mapToDouble(OptionalDouble::getAsDouble)
+                    .sorted()
+                    .toArray();
+            if (ratios.length > 0) {
+                text.append(String.format(
+                        "- %s: faster than %s in %d of %d pictures of mesh files, %s to %s times as fast, %s in the median.%n",
+                        program,
+                        SideBySide.BASE,
+                        Arrays.stream(ratios).filter(ratio -> ratio > 1).count(),
+                        ratios.length,
+                        Page.number("%.2f", OptionalDouble.of(ratios[0])),
+                        Page.number("%.2f", OptionalDouble.of(ratios[ratios.length - 1])),
+                        Page.number("%.2f", Measurements.median(ratios))));
+            }
+        }
+        return text.toString();
+    }
+
+    /** Returns the times of lit mesh files, with one sample a pixel and with many. */
+    private String lit() {
+        List<String> programs = new ArrayList<>(List.of(SideBySide.BASE));
+        OURS.forEach(program -> programs.addAll(List.of(program, program + Contender.PIXELS)));
+        List<String> head = new ArrayList<>(List.of("1 thread, 1 sample; anti-aliased"));
+        head.addAll(programs);
+        List<List<String>> rows = new ArrayList<>();
+        for (Subject many :
+                subjects.stream().filter(subject -> subject.samples() > 1).toList()) {
+            Subject one = new Subject(many.scene(), many.side(), 1, many.threads());
+            List<String> row = new ArrayList<>(List.of(many.scene()));
+            for (String program : programs) {
+                boolean isBase = program.equals(SideBySide.BASE);
+                OptionalDouble first = time(one, program);
+                row.add((first.isPresent() ? Page.time(first) + "; " : "")
+                        + Page.time(time(many, program))
+                        + (isBase ? "" : ", " + Page.ratio(ratio(many, program))));
+            }
+            rows.add(row);
+        }
+        return Page.table(head, rows);
+    }
+
+    /** Returns a sentence about the time of whole processes. */
+    private String starts() {
+        List<String> times = new ArrayList<>();
+        for (String program : results.programs(SideBySide.START)) {
+            times.add(program + " " + Page.time(results.median(SideBySide.START, SideBySide.COLD_SCENE, program))
+                    + " ms");
+        }
+        return "A process that renders a teapot to a file, from start to end: " + String.join("; ", times) + ".\n";
+    }
+
+    private void writeChart(Path folder, int threads) throws IOException {
+        List<Subject> shown = subjects.stream().filter(isScene(threads)).toList();
+        Map<String, List<Double>> programs = new LinkedHashMap<>();
+        for (String program : results.programs(SideBySide.TIME)) {
+            List<Double> bars = new ArrayList<>();
+            for (Subject subject : shown) {
+                OptionalDouble ratio = ratio(subject, program);
+                bars.add(ratio.isPresent() ? (Double) ratio.getAsDouble() : null);
+            }
+            programs.put(program, bars);
+        }
+        programs.remove(SideBySide.BASE);
+        if (!shown.isEmpty()) {
+            Charts.bars(
+                    folder.resolve("scenes-" + threads + ".png"),
+                    "Times faster than " + SideBySide.BASE + ": " + SIDE + " x " + SIDE + ", "
+                            + (threads == 1 ? "1 thread" : threads + " threads"),
+                    shown.stream().map(Subject::scene).toList(),
+                    programs);
+        }
+    }
+}
