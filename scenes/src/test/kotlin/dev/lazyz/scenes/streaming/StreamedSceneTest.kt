@@ -112,8 +112,13 @@ class StreamedSceneTest {
     fun aCountOfZeroAndBytesBehindFacetsAreReadAlike() {
         val facets = terrain(40, word = { it % 7 })
         val plain = binary(facets)
+        fun assertWhole() {
+            assertSame()
+            val count = stream().use { (it.loaded.scene.surfaces.single() as StreamedMesh).source.triangleCount }
+            assertEquals(facets.size, count)
+        }
         file.writeBytes(plain.copyOf().also { it.fill(0, 80, 84) })
-        assertSame()
+        assertWhole()
         file.outputStream().use { out ->
             out.write(plain, 0, 84)
             for ((number, facet) in facets.withIndex()) {
@@ -121,7 +126,7 @@ class StreamedSceneTest {
                 out.write(ByteArray(facet.word) { 0x7F })
             }
         }
-        assertSame()
+        assertWhole()
     }
 
     @Test
