@@ -92,7 +92,10 @@ configure(subprojects.filter { it.name != "bom" }) {
         systemProperty("jqwik.database", "")
         systemProperty("jqwik.reporting.onlyfailures", "true")
         systemProperties(providers.systemPropertiesPrefixedBy("lazyz.").get())
-        timeout = Duration.ofMinutes(15)
+        // A test that hangs fails by its name; the last net is for a JVM that does not end
+        systemProperty("junit.jupiter.execution.timeout.testable.method.default", "20 m")
+        systemProperty("junit.jupiter.execution.timeout.thread.mode.default", "SEPARATE_THREAD")
+        timeout = Duration.ofHours(2)
     }
 
     configure<SpotlessExtension> {

@@ -26,9 +26,9 @@ class BuildsAgreeTest {
     private val surefire = pom.child("build").child("plugins").children("plugin")
         .single { it.value("artifactId") == "maven-surefire-plugin" }
 
-    /** The folders of the modules, by their names in Gradle. Only Maven needs a module to check the format. */
+    /** The folders of the modules, by their names in Gradle. */
     private val folders = pom.child("modules").children("module").map { it.textContent }
-        .filterNot { it == "format.xml" }.associateBy { it.substringAfterLast('/') }
+        .associateBy { it.substringAfterLast('/') }
     private val modules = folders.keys.toList() - "bom"
     private val published = quoted(Regex("""for \(module in listOf\((.*)\)\)""").find(gradleRoot)!!.groupValues[1])
 
@@ -129,7 +129,7 @@ class BuildsAgreeTest {
         val gradle = Regex("""(?m)^// Descriptors.*\nfor \(module in listOf\((.*)\)\)""").find(gradleRoot)!!
         assertEquals(withDescriptor, quoted(gradle.groupValues[1]))
         for (module in modules) {
-            val skip = modulePom(module).child("properties").valueOrNull("moditect.skip")
+            val skip = modulePom(module).child("properties").valueOrNull("descriptor.skip")
             assertEquals(if (module in withDescriptor) "false" else null, skip, module)
         }
         for (module in withDescriptor) {
@@ -172,6 +172,14 @@ class BuildsAgreeTest {
         val included = surefire.child("configuration").child("includes").children("include").map { it.textContent }
         val gradle = Regex("""\binclude\((.*)\)""").find(gradleRoot)!!
         assertEquals(included, quoted(gradle.groupValues[1]))
+    }
+
+    @Test
+    fun parametersOfTests() {
+        val maven = surefire.child("configuration").child("properties").value("configurationParameters").lines()
+            .associate { it.substringBefore('=').trim() to it.substringAfter('=').trim() }
+        val gradle = Regex("""\bsystemProperty\("(.*)", "(.*)"\)""").findAll(gradleRoot)
+        assertEquals(maven, gradle.associate { it.groupValues[1] to it.groupValues[2] })
     }
 
     @Test
