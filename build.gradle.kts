@@ -17,9 +17,6 @@ plugins {
 val catalog = libs
 val javaRelease = 17
 
-/** Modules of many short tests, which would mostly wait for the optimizing compiler. */
-val shortTests = listOf("scenes", "testing", "server", "spark", "cli")
-
 /** A jar that runs alone: its file name and main class, by module. */
 val fatJars = mapOf(
     "cli" to ("zcli" to "dev.lazyz.cli.MainKt"),
@@ -39,6 +36,7 @@ configure(subprojects.filter { it.name != "bom" }) {
 
     // The last lists the public API, see PublicApiTest
     dependencies {
+        "api"(catalog.kotlin.stdlib)
         "testImplementation"(platform(catalog.junit.bom))
         "testImplementation"(catalog.junit.jupiter)
         "testImplementation"(catalog.jqwik)
@@ -86,7 +84,8 @@ configure(subprojects.filter { it.name != "bom" }) {
     tasks.withType<Test>().configureEach {
         useJUnitPlatform()
         jvmArgs("--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC", "-XX:MarkSweepAlwaysCompactCount=1")
-        if (project.name in shortTests) jvmArgs("-XX:TieredStopAtLevel=1", "-XX:MaxVectorSize=8")
+        // Many short tests take twice the processor time with the optimizing compiler
+        jvmArgs("-XX:TieredStopAtLevel=1", "-XX:MaxVectorSize=8")
         maxParallelForks = 2
         include("**/*Test.class", "**/*Properties.class", "**/*Example.class")
         systemProperty("jqwik.database", "")
@@ -234,6 +233,8 @@ for ((module, jar) in fatJars) {
             manifest.attributes("Main-Class" to jar.second, "Multi-Release" to "true")
             duplicatesStrategy = DuplicatesStrategy.EXCLUDE
             from(mergeTexts)
+            // The bill of materials, see BillOfMaterialsTest
+            from("src/main/sbom") { into("META-INF/sbom") }
             from(main.output)
             from(runtimeClasspath.map { files -> files.map { if (it.isDirectory) it else zipTree(it) } })
             exclude("META-INF/*.DSA", "META-INF/*.RSA", "META-INF/*.SF")

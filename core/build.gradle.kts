@@ -5,7 +5,6 @@ kotlin {
 }
 
 dependencies {
-    api(libs.kotlin.stdlib)
     api(libs.coroutines)
     api(libs.joml)
 }

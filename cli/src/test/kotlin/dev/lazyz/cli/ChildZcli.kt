@@ -32,13 +32,13 @@ internal class ChildZcli(private val folder: Path) {
 
     /** Waits until [process] has ended, and returns its exit code. */
     fun code(process: Process): Int {
-        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
+        assertTrue(process.waitFor(10, TimeUnit.MINUTES), "the process hangs")
         return process.exitValue()
     }
 
     /** Waits until [condition] holds while [process] runs. */
     fun await(process: Process, what: String, condition: () -> Boolean) {
-        val deadline = System.nanoTime() + 60_000_000_000
+        val deadline = System.nanoTime() + TimeUnit.MINUTES.toNanos(10)
         while (!condition()) {
             assertTrue(process.isAlive, errors)
             assertTrue(System.nanoTime() < deadline, what)

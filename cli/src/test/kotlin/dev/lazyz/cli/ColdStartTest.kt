@@ -38,7 +38,7 @@ class ColdStartTest {
             .joinToString(File.pathSeparator) { Path.of(it).toAbsolutePath().toString() }
         val words = listOf(java, "-Xlog:class+load:file=$log:none", "-cp", classPath, "dev.lazyz.cli.MainKt") + args
         val process = ProcessBuilder(words).directory(folder.toFile()).inheritIO().start()
-        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
+        assertTrue(process.waitFor(10, TimeUnit.MINUTES), "the process hangs")
         assertEquals(0, process.exitValue())
         return log.readLines().map { it.substringBefore(' ') }
     }

@@ -57,7 +57,7 @@ class LauncherTest {
                 environment() += environment
             }
             .start()
-        assertTrue(process.waitFor(120, TimeUnit.SECONDS), "the process hangs")
+        assertTrue(process.waitFor(10, TimeUnit.MINUTES), "the process hangs")
         return process
     }
 

@@ -90,7 +90,7 @@ class ProcessTest {
     fun aTerminatedProcessLeavesNoFile() {
         val process = startLargePicture()
         process.destroy()
-        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
+        assertTrue(process.waitFor(10, TimeUnit.MINUTES), "the process hangs")
         assertEquals(listOf("errors.txt"), folder.listDirectoryEntries().map { it.name })
     }
 
@@ -104,7 +104,7 @@ class ProcessTest {
             temporary.listDirectoryEntries().any { it.resolve("journal").run { exists() && fileSize() > 0 } }
         }
         process.destroy()
-        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
+        assertTrue(process.waitFor(10, TimeUnit.MINUTES), "the process hangs")
         assertEquals(emptyList<Path>(), temporary.listDirectoryEntries())
         assertEquals("", errors)
     }
@@ -114,7 +114,7 @@ class ProcessTest {
     fun whatAKilledProcessLeftTheNextOneDeletes() {
         val process = startLargePicture()
         process.destroyForcibly()
-        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
+        assertTrue(process.waitFor(10, TimeUnit.MINUTES), "the process hangs")
         val left = folder.listDirectoryEntries(".large.png.*").single()
         val anothers = folder.resolve(".other.png.tmp").apply { writeText("of another program") }
         for (file in listOf(left, anothers)) {
@@ -204,7 +204,7 @@ class ProcessTest {
         val files = minOf(2, Runtime.getRuntime().availableProcessors())
         child.await(process, "no temporary file") { folder.listDirectoryEntries(".*.png.*").size >= files }
         process.destroy()
-        assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process hangs")
+        assertTrue(process.waitFor(10, TimeUnit.MINUTES), "the process hangs")
         assertEquals(listOf("errors.txt"), folder.listDirectoryEntries().map { it.name })
     }
 

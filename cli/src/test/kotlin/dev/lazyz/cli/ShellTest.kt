@@ -78,7 +78,7 @@ class ShellTest {
         val line = "COMP_WORDS=(zcli ${words.joinToString(" ")}); COMP_CWORD=${words.size}; _zcli"
         val process = ProcessBuilder("/bin/bash", "-c", "source ./zcli.bash; $line; echo \"\${COMPREPLY[@]}\"")
             .directory(folder.toFile()).redirectErrorStream(true).start()
-        assertTrue(process.waitFor(60, TimeUnit.SECONDS))
+        assertTrue(process.waitFor(10, TimeUnit.MINUTES))
         return process.inputReader().readText().trim()
     }
 

@@ -37,13 +37,7 @@ class BuiltInRenderersTest {
     }
 
     private fun assertPasses(renderer: Renderer, rules: Set<String>) {
-        val tries = if (TestEffort.isFull || renderer is Lists) {
-            1.0
-        } else if (TestEffort.isDefault) {
-            0.1
-        } else {
-            0.05
-        }
+        val tries = if (TestEffort.isFull || renderer is Lists) 1.0 else 0.05
         val run = SuiteRun.of(tries, rules) { renderer }
 
         // The oracle queries every primitive at every sample, whatever the cost

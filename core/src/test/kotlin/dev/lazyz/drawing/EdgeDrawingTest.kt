@@ -6,6 +6,7 @@ import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.Transforms
+import dev.lazyz.shared.ProcessorTime
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
@@ -21,17 +22,15 @@ import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Surface
 import dev.lazyz.world.surface.Vertex
-import java.time.Duration
 import java.util.Random
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
-import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.function.ThrowingSupplier
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** Visible edges are drawn, hidden ones are not, and all strategies draw the same. */
 class EdgeDrawingTest {
@@ -316,6 +315,7 @@ class EdgeDrawingTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun rule_10_3_allStrategiesAndRegionsGiveTheSameBits() {
         val surfaces = listOf(
             Solids.torus(1.0, 0.4, 24, 12), Solids.box(0.2f, -0.3f, 0.1f, 1.7f, 0.4f, 0.9f),
@@ -418,36 +418,37 @@ class EdgeDrawingTest {
         val surfaces = listOf(Solids.sphere(24, 12), square(-3f, -0.2f, 1.5f, 0.2f, 0.3f))
         for (hidden in HiddenLines.entries) {
             val one = render(surfaces, EdgeStyle(hidden = hidden))
-            val thin = inTime { render(surfaces, EdgeStyle(width = 1e-5, hidden = hidden)) }
+            val thin = render(surfaces, EdgeStyle(width = 1e-5, hidden = hidden))
             assertArrayEquals(one.argb, thin.argb) { "$hidden" }
         }
     }
 
     /** Where w is always 1, a great distance of the far plane does not make it small. */
     @Test
-    fun manyTrianglesBeforeADistantFarPlaneTakeLinearTime() {
+    fun aDistantFarPlaneTakesNoMoreTime() {
         val torus = Solids.torus(1.2, 0.5, 140, 100)
-        val (expected, image) = listOf(20.0, 4e9).map { far ->
+        val images = ArrayList<Image>()
+        val (near, distant) = listOf(20.0, 4e9).map { far ->
             val camera =
                 Camera.orthographic(Vector3d(3.0, 5.0, 7.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 4.0, 1.0, far)
-            inTime { render(listOf(torus), EdgeStyle(EdgeSet.ALL), camera) }
+            ProcessorTime.of { images += render(listOf(torus), EdgeStyle(EdgeSet.ALL), camera) }
         }
-        assertArrayEquals(expected.argb, image.argb)
+        assertArrayEquals(images[0].argb, images[1].argb)
+        assertTrue(distant <= 4 * near) { "$distant ns, not $near" }
     }
 
     @Test
     fun manyPolygonsTakeLinearTime() {
         val random = Random(12)
-        val squares = List(12_000) {
+        fun square(): Polygon {
             val (x, y, z) = List(3) { random.nextDouble() * 3.6 - 1.8 }
             val contour = listOf(Vertex(x, y, z), Vertex(x + 0.04, y, z), Vertex(x + 0.04, y + 0.04, z))
-            Polygon(listOf(contour + Vertex(x, y + 0.04, z)), plain)
+            return Polygon(listOf(contour + Vertex(x, y + 0.04, z)), plain)
         }
-        assertTrue(inTime { render(squares, EdgeStyle(), side = 200) }.visible > 0)
+        ProcessorTime.assertLinear(16_000, { count -> List(count) { square() } }) { squares, _ ->
+            assertTrue(render(squares, EdgeStyle(), side = 200).visible > 0)
+        }
     }
-
-    private fun inTime(draw: () -> Image): Image =
-        assertTimeoutPreemptively(Duration.ofSeconds(15), ThrowingSupplier { draw() })
 
     @Test
     fun stylesAreChecked() {

@@ -11,6 +11,7 @@ import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.tiled.Tiled
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** Primitives that arrive one by one, for renderers that need them all at once. */
 class GroupedPrimitivesTest {
@@ -22,6 +23,7 @@ class GroupedPrimitivesTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun manyPrimitivesGiveThePictureOfTheFrame() {
         // So many that hidden ones are dropped several times
         val frame = glazed(3).frame(40, 37)

@@ -1,67 +1,75 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.scenes.loading.TestSources
+import dev.lazyz.shared.ProcessorTime
 import dev.lazyz.world.surface.Mesh
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
-import java.nio.file.Files
-import java.time.Duration
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.ValueSource
 
-/** Files made to take long are read in time: what was quadratic would take minutes. */
+/** Files made to take long are read in linear time. */
 @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class LinearTimeTest {
     private fun meshes(bytes: ByteArray, format: SceneFormat): List<Mesh> =
-        assertTimeoutPreemptively<List<Mesh>>(Duration.ofSeconds(10)) {
-            Scenes.load(bytes.inputStream(), format).scene.surfaces.map { it as Mesh }
-        }
+        Scenes.load(bytes.inputStream(), format).scene.surfaces.map { it as Mesh }
 
     private fun obj(text: String): List<Mesh> = meshes(text.toByteArray(), SceneFormat.OBJ)
 
-    @Test
-    fun faceOfManyCornersOnOneLineOrOnMany() {
+    @ParameterizedTest
+    @ValueSource(strings = [" ", " \\\n"])
+    fun faceOfManyCornersOnOneLineOrOnMany(separator: String) {
         // A square with corners all along its sides
-        val side = 50_000
-        val text = buildString {
-            for (i in 0 until side) append("v $i 0 0\n")
-            for (i in 0 until side) append("v $side $i 0\n")
-            for (i in side downTo 1) append("v $i $side 0\n")
-            for (i in side downTo 1) append("v 0 $i 0\n")
+        val text = { side: Int ->
+            buildString {
+                for (i in 0 until side) append("v $i 0 0\n")
+                for (i in 0 until side) append("v $side $i 0\n")
+                for (i in side downTo 1) append("v $i $side 0\n")
+                for (i in side downTo 1) append("v 0 $i 0\n")
+                append((1..4 * side).joinToString(separator, "f ", "\n"))
+            }
         }
-        for (separator in listOf(" ", " \\\n")) {
-            val face = (1..4 * side).joinToString(separator, "f ", "\n")
-            assertEquals(4 * side - 2, obj(text + face).sumOf { it.triangleCount })
+        ProcessorTime.assertLinear(48_000, text) { file, side ->
+            assertEquals(4 * side - 2, obj(file).sumOf { it.triangleCount })
         }
     }
 
     @Test
     fun positionWithManyTextureCoordinates() {
-        val count = 300_000
-        val text = buildString {
-            append("v 0 0 0\nv 1 0 0\nv 0 1 0\n")
-            repeat(count) { append("vt ").append(it).append(" 0\n") }
-            for (i in 1..count) append("f 1/$i 2/$i 3/$i\n")
+        val text = { count: Int ->
+            buildString {
+                append("v 0 0 0\nv 1 0 0\nv 0 1 0\n")
+                repeat(count) { append("vt ").append(it).append(" 0\n") }
+                for (i in 1..count) append("f 1/$i 2/$i 3/$i\n")
+            }
         }
-        assertEquals(3 * count, obj(text).sumOf { it.vertexCount })
+        ProcessorTime.assertLinear(160_000, text) { file, count ->
+            assertEquals(3 * count, obj(file).sumOf { it.vertexCount })
+        }
     }
 
     @Test
     fun manyObjectsAndMaterials() {
-        val count = 50_000
-        val text = buildString {
-            append("v 0 0 0\nv 1 0 0\nv 0 1 0\n")
-            for (i in 0 until count) append("o a\nusemtl m$i\nf 1 2 3\n")
+        val text = { count: Int ->
+            buildString {
+                append("v 0 0 0\nv 1 0 0\nv 0 1 0\n")
+                for (i in 0 until count) append("o a\nusemtl m$i\nf 1 2 3\n")
+            }
         }
-        assertEquals(count, obj(text).size)
+        ProcessorTime.assertLinear(48_000, text) { file, count -> assertEquals(count, obj(file).size) }
     }
 
     @Test
     fun positionsWithCollidingHashCodes() {
-        // Where a hash code is 31 * (31 * x + y) + z, these have one: by the bits of floats between 1 and 2
-        val facets = 30_000
+        ProcessorTime.assertLinear(32_000, ::collidingFacets) { file, facets ->
+            assertEquals(3 * facets, meshes(file, SceneFormat.STL).single().vertexCount)
+        }
+    }
+
+    /** Where a hash code is 31 * (31 * x + y) + z, these have one: by the bits of floats between 1 and 2. */
+    private fun collidingFacets(facets: Int): ByteArray {
         val buffer = ByteBuffer.allocate(84 + 50 * facets).order(ByteOrder.LITTLE_ENDIAN)
         buffer.position(80).putInt(facets)
         val one = 1f.toBits()
@@ -73,8 +81,6 @@ class LinearTimeTest {
             }
             buffer.putShort(0)
         }
-        assertEquals(3 * facets, meshes(buffer.array(), SceneFormat.STL).single().vertexCount)
-        val path = TestSources.casePath("hang/collide30000.stl")
-        meshes(Files.readAllBytes(path), SceneFormat.STL)
+        return buffer.array()
     }
 }

@@ -4,13 +4,11 @@ import dev.lazyz.scenes.images.PngFile
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
-import java.util.concurrent.TimeUnit
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
@@ -135,7 +133,6 @@ class LoadLimitsTest {
     }
 
     @Test
-    @Timeout(20, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     fun pipesAndDevicesAreRefusedAtOnce() {
         val pipe = folder.resolve("pipe.obj")
         assumeTrue(ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0, "no pipes with names here")

@@ -3,17 +3,15 @@ package dev.lazyz.cli.batch
 import java.util.concurrent.Callable
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.Executors
-import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
+import kotlin.concurrent.thread
 import kotlin.random.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.Timeout
 
-@Timeout(60)
 class SharesTest {
     /** Runs [task] so many times, with its number, on several threads, and throws what one of them throws. */
     private fun together(times: Int, task: (Int) -> Unit) {
@@ -57,14 +55,14 @@ class SharesTest {
                 }
             }
             isHeld.await()
-            val large = pool.submit { share.hold(100) { isLargeServed.set(1) } }
-            Thread.sleep(50)
+            val large = thread { share.hold(100) { isLargeServed.set(1) } }
+            while (large.state != Thread.State.WAITING) Thread.sleep(1)
             val small = pool.submit<Int> { share.hold(10) { isLargeServed.get() } }
             Thread.sleep(50)
             assertFalse(small.isDone) { "a small input has overtaken a large one" }
             release.countDown()
-            large.get(30, TimeUnit.SECONDS)
-            assertEquals(1, small.get(30, TimeUnit.SECONDS))
+            large.join()
+            assertEquals(1, small.get())
         } finally {
             pool.shutdownNow()
         }

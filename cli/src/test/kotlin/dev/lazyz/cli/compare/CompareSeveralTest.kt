@@ -20,7 +20,6 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
@@ -84,7 +83,6 @@ class CompareSeveralTest {
 
     /** Two links to the own folder make exponentially many paths. */
     @Test
-    @Timeout(60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     fun linksToFoldersAreNotFollowedInFolders() {
         val two = folder.resolve("two").createDirectories()
         val wedge = two.wedge()

@@ -66,7 +66,7 @@ internal class Browser(private val folder: Path) {
             "--window-size=1400,1000", "--hide-scrollbars", "http://127.0.0.1:${server.address.port}/",
         ).redirectErrorStream(true).redirectOutput(log.toFile()).start()
         try {
-            val facts = Json.parseToJsonElement(answer.get(60, TimeUnit.SECONDS)).jsonObject
+            val facts = Json.parseToJsonElement(answer.get(10, TimeUnit.MINUTES)).jsonObject
             assertEquals(null, facts["error"])
             assertEquals(listOf("GET /", "POST /answer"), requests.toList())
             return Visit(facts, log.readText().lines().filter { "CONSOLE" in it })

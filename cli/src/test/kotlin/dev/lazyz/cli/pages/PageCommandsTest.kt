@@ -142,7 +142,7 @@ class PageCommandsTest {
             "docs/server.md: curl" to "needs the service; examples/docker/check asks it for a picture",
             "docs/server.md: java" to "takes four minutes; tests of the server try each kind of client",
             "docs/spark-scaling.md: mvn" to MEASURES,
-            "examples/third-party-strategy/README.md: mvn -q install" to "as in docs/conformance.md, in another folder",
+            "examples/third-party-strategy/README.md: mvn install" to "as in docs/conformance.md, in another folder",
             "examples/third-party-strategy/README.md: mvn -q verify" to "as in docs/conformance.md, in another folder",
             "examples/third-party-strategy/README.md: mvn -q package" to "as in docs/conformance.md, in another folder",
             "jmh/README.md: mvn -q -DskipTests package && java -jar" to MEASURES,

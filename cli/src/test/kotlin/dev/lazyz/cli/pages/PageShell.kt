@@ -60,7 +60,7 @@ internal class PageShell(val folder: Path, private val exchange: Path) : AutoClo
             .redirectOutput(log.toFile())
         bash.environment().merge("PATH", "$programs") { path, own -> own + File.pathSeparator + path }
         val process = bash.start()
-        val ended = process.waitFor(2, TimeUnit.MINUTES)
+        val ended = process.waitFor(15, TimeUnit.MINUTES)
         process.destroy()
         assertTrue(ended && process.exitValue() == 0) {
             "$commands\n${log.readText()}\n${exchange.resolve("log.txt").readText()}"

@@ -58,7 +58,6 @@ class LimitsTest {
         )
         val message = "layers.json: takes more than 1 s to read and render; raise --max-seconds"
         val limit = arrayOf<Any>("--max-seconds", 1)
-        val start = System.nanoTime()
         zcli("render", scene, *limit, "-o", out).mistake(message)
         zcli("render", scene, *limit, "--strategy", "lists", "-o", out).mistake(message)
         zcli("compare", scene, *limit).mistake(message)
@@ -67,7 +66,6 @@ class LimitsTest {
         val batch = zcli("render", scene, folder.wedge(), *limit, "--size", 256, "-o", "$folder/{stem}.png")
         batch.mistake(message, "1 of 2 inputs failed")
         assertTrue(folder.resolve("wedge.png").exists())
-        assertTrue(System.nanoTime() - start < 30_000_000_000)
         val files = folder.listDirectoryEntries().map { it.name }.filterNot { "out.png" in it }
         assertEquals(setOf("layers.json", "wedge.obj", "wedge.png"), files.toSet())
         assertFalse(out.exists())

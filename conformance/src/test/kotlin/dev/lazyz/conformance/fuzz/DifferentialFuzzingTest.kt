@@ -54,7 +54,7 @@ class DifferentialFuzzingTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun corpusIsWhatTheNextRunBeginsWith(@TempDir folder: Path) {
         fuzzing(HierarchicalZBuffer()).corpus(folder).run()
         val recipes = folder.resolve("recipes.txt").readLines()
@@ -67,7 +67,7 @@ class DifferentialFuzzingTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun exceptionOfOneIsADifference() {
         val report = fuzzing(BrokenRenderers.needsTwoColumns()).run()
         assertTrue(report.differences.any { "the second java.lang.IllegalStateException" in it }, report.toText())

@@ -72,7 +72,7 @@ internal object HeapProbe {
             HeapProbe::class.java.name, mode,
         ).redirectErrorStream(true).start()
         val output = process.inputStream.bufferedReader().readText()
-        check(process.waitFor(1, TimeUnit.MINUTES)) { "the child did not end: $output" }
+        check(process.waitFor(10, TimeUnit.MINUTES)) { "the child did not end: $output" }
         return Result(process.exitValue(), output)
     }
 

@@ -82,7 +82,7 @@ internal class CaseRunner(private val case: SceneCase) {
 
     private companion object {
         /** After which an input is given up. */
-        const val MOST_SECONDS = 30L
+        const val MOST_SECONDS = 300L
 
         /** By the clock, and then of a processor's time. */
         const val MOST_MILLIS = 2000L
