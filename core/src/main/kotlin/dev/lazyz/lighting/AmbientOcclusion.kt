@@ -77,6 +77,7 @@ public class AmbientOcclusion private constructor(private val maps: List<Distanc
          * @param directions number of directions on the whole sphere, 8..4096; fewer show edges of single shadows
          * @param size number of texels of a map's side, 16..4096
          * @param options [RenderOptions.threads] and [RenderOptions.executor] are used, the others are not
+         * @param done called after each direction, by the thread that computed it; to show progress
          * @throws IllegalArgumentException if a number is out of range, or there is an [obstacle] in the scene
          */
         @JvmStatic
@@ -87,11 +88,12 @@ public class AmbientOcclusion private constructor(private val maps: List<Distanc
             directions: Int = DEFAULT_DIRECTIONS,
             size: Int = DEFAULT_SIZE,
             options: RenderOptions = RenderOptions(),
+            done: Runnable = Runnable {},
         ): AmbientOcclusion {
             require(directions in 8..4096) { "directions must be in 8..4096: $directions" }
             require(size in 16..4096) { "size must be in 16..4096: $size" }
             val occluders = Occluders(scene)
-            val maps = occluders.maps(SphereDirections.everywhere(directions), size, options)
+            val maps = occluders.maps(SphereDirections.everywhere(directions), size, options, done)
             return AmbientOcclusion(maps, 2 * occluders.radius / size)
         }
     }

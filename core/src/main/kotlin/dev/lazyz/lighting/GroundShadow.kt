@@ -71,7 +71,9 @@ public class GroundShadow private constructor(
         /** The strength if the caller does not choose. */
         public const val DEFAULT_STRENGTH: Float = 0.6f
 
-        private const val DIRECTIONS = 64
+        /** Number of directions from which light comes. */
+        public const val DIRECTIONS: Int = 64
+
         private const val SIZE = 256
 
         /** How far the shadow can reach beyond the scene, as a multiple of the scene's height. */
@@ -91,6 +93,7 @@ public class GroundShadow private constructor(
          *
          * @param strength how dark the deepest shadow is, 0..1
          * @param options [RenderOptions.threads] and [RenderOptions.executor] are used, the others are not
+         * @param done called after each of the [DIRECTIONS], by the thread that computed it; to show progress
          * @throws IllegalArgumentException if [strength] is out of range, or there is a problem with the scene, see
          *   [AmbientOcclusion.obstacle]
          */
@@ -101,6 +104,7 @@ public class GroundShadow private constructor(
             scene: Scene,
             strength: Float = DEFAULT_STRENGTH,
             options: RenderOptions = RenderOptions(),
+            done: Runnable = Runnable {},
         ): GroundShadow {
             require(strength in 0f..1f) { "strength of a shadow must be in 0..1: $strength" }
             val occluders = Occluders(scene)
@@ -109,7 +113,7 @@ public class GroundShadow private constructor(
             val halfX = (box.maxX - box.minX) / 2
             val halfZ = (box.maxZ - box.minZ) / 2
             val spread = SPREAD * maxOf(box.maxY - box.minY, LEAST_SHARE * maxOf(halfX, halfZ))
-            val maps = occluders.maps(SphereDirections.above(DIRECTIONS), SIZE, options)
+            val maps = occluders.maps(SphereDirections.above(DIRECTIONS), SIZE, options, done)
             val grid = ShadowGrid(maps, Vectors.minus(center, occluders.origin), halfX, halfZ, spread)
 
             // A floor of the scene itself is visible

@@ -50,9 +50,10 @@ internal class Occluders(scene: Scene) {
 
     /**
      * Returns a map with [size] texels a side for each of the [directions]. Cost: a small rendering without colours for
-     * each, which takes about as long as transforming all vertices; memory: 2 bytes a texel.
+     * each, which takes about as long as transforming all vertices; memory: 2 bytes a texel. Calls [done] after each,
+     * by the thread that computed it.
      */
-    fun maps(directions: List<Vector3d>, size: Int, options: RenderOptions): List<DistanceMap> {
+    fun maps(directions: List<Vector3d>, size: Int, options: RenderOptions, done: Runnable): List<DistanceMap> {
         val maps = directions.map { DistanceMap(it, box.center, origin, radius, size) }
         val alone = RenderOptions(threads = 1)
         val caller = Thread.currentThread()
@@ -62,6 +63,7 @@ internal class Occluders(scene: Scene) {
                 Tiled(alone).render(frame.unshaded())
             }
             maps[number].fill(image)
+            done.run()
         }
         return maps
     }
