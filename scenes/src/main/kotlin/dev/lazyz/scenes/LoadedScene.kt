@@ -12,7 +12,8 @@ import java.nio.file.Path
  * A scene that was read, and warnings about what the reader ignored. The lists are not copied; do not change them.
  *
  * @property scene the contents of the file, with the file's camera and lights if it has them
- * @property warnings one sentence each, in the order of the file: for example a missing texture or a skipped face
+ * @property warnings one sentence for each kind, in the order of the file: for example about missing textures, of which
+ *   some are named, or skipped faces
  * @property size the image size that the file requests, or null if it requests none; only scene files can
  * @property depth the depth rules; only scene files can differ from the default
  * @property cameras the cameras of a model, in the order of the file; the first is the viewpoint of [scene]. Empty for

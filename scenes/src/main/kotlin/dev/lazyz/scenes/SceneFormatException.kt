@@ -33,6 +33,17 @@ public open class SceneFormatException @JvmOverloads constructor(
 )
 
 /**
+ * Reports a file that does not fit into memory, although it may be right: into the heap, [LoadLimits.memory], or the
+ * part of it that decoded data may take if [LoadLimits.decodedBytes] is not given.
+ */
+public class SceneMemoryException @JvmOverloads constructor(
+    source: String,
+    problem: String,
+    remedy: String? = null,
+    cause: Throwable? = null,
+) : SceneFormatException(source, null, problem, remedy, cause)
+
+/**
  * Reports a file or a stream that cannot be read, whatever is in it: the file is missing, a folder or a device, may not
  * be read, has become shorter, or the disk, the stream or a temporary file fails.
  *

@@ -4,7 +4,7 @@ import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneMemoryException
 import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.scenes.gltf.GltfParser
 import dev.lazyz.scenes.images.TextureFiles
@@ -95,7 +95,7 @@ internal object SceneReading {
             )
         } catch (e: OutOfMemoryError) {
             val most = source.loading.limits.usableMemory
-            source.fail(null, "needs more memory than the $most bytes that Java may use", "raise -Xmx, or split it", e)
+            source.exhausted("needs more memory than the $most bytes that Java may use", "raise -Xmx, or split it", e)
         }
     }
 
@@ -157,9 +157,9 @@ internal object SceneReading {
     private fun mostBytes(format: SceneFormat?, limits: LoadLimits): Long =
         minOf(Int.MAX_VALUE - 16L, limits.usableMemory / LoadingMemory.perByte(format))
 
-    private fun tooLarge(name: String, size: Long, format: SceneFormat?, limits: LoadLimits): SceneFormatException {
+    private fun tooLarge(name: String, size: Long, format: SceneFormat?, limits: LoadLimits): SceneMemoryException {
         val problem = "is too large: $size bytes, at most ${mostBytes(format, limits)} fit"
-        return SceneFormatException(name, null, problem, "raise -Xmx, or split it")
+        return SceneMemoryException(name, problem, "raise -Xmx, or split it")
     }
 
     private fun sniffed(source: Source): SceneFormat {

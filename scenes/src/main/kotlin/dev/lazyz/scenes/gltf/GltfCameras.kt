@@ -25,7 +25,7 @@ internal class GltfCameras(private val document: GltfDocument, private val scene
             try {
                 NamedCamera(printable(json.name ?: placed.node.name.orEmpty()), camera(json, placed.toWorld))
             } catch (e: IllegalArgumentException) {
-                document.warn("cameras[$index] is passed over: ${e.message}")
+                document.warn("cameras[$index]", " is passed over: ${e.message}")
                 null
             }
         }

@@ -36,7 +36,7 @@ internal class GltfLights(private val document: GltfDocument) {
             try {
                 light(json, node)
             } catch (e: IllegalArgumentException) {
-                document.warn("lights[$index] is passed over: ${e.message}")
+                document.warn("lights[$index]", " is passed over: ${e.message}")
                 null
             }
         }

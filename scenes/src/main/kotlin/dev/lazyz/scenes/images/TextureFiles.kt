@@ -35,11 +35,11 @@ internal object TextureFiles {
     fun find(source: Source, reference: String, folders: List<Path> = listOfNotNull(source.folder)): Texture? {
         val found = source.references.find(reference, folders)
         if (found.file == null) {
-            source.warn("texture $reference ${found.warning}")
+            source.warn("texture ", reference, " ${found.warning}")
             return null
         }
         val texture = ofFile(source, found.file)
-        if (texture == null) source.warn("texture $reference $NOT_DECODED")
+        if (texture == null) source.warn("texture ", reference, " $NOT_DECODED")
         return texture
     }
 

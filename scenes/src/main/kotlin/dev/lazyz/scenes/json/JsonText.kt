@@ -26,7 +26,7 @@ internal object JsonText {
             val (offset, error) = message.matchEntire(e.message.orEmpty())!!.destructured
             source.fail(offset.toIntOrNull()?.let { place(text, it) }, "is not JSON: $error", cause = e)
         } catch (e: OutOfMemoryError) {
-            source.fail(null, "does not fit into memory", "keep meshes in files of their own, or raise -Xmx", e)
+            source.exhausted("does not fit into memory", "keep meshes in files of their own, or raise -Xmx", e)
         }
     }
 
@@ -46,7 +46,7 @@ internal object JsonText {
         } catch (e: CharacterCodingException) {
             source.fail(null, "is not text in UTF-8", "save it as UTF-8", e)
         } catch (e: OutOfMemoryError) {
-            source.fail(null, "does not fit into memory", "keep meshes in files of their own, or raise -Xmx", e)
+            source.exhausted("does not fit into memory", "keep meshes in files of their own, or raise -Xmx", e)
         }
     }
 }

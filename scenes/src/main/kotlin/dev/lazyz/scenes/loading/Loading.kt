@@ -76,6 +76,10 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         used = used.copy(decoded = used.decoded + bytes)
         val most = limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(read, limits.usableMemory)
         val memory = used.decoded + used.decoding
+        if (limits.decodedBytes == null && memory > most) {
+            val problem = "has more than $most bytes of decoded data: $memory at least"
+            source.exhausted(problem, remedy("decodedBytes", "--max-decoded", MORE_MEMORY))
+        }
         check(source, memory, most, "bytes of decoded data", "decodedBytes", "--max-decoded", MORE_MEMORY)
         if (Thread.currentThread().isInterrupted) source.fail(null, "is not read further: the thread is interrupted")
         val time = limits.time ?: return
@@ -94,7 +98,7 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         val most = limits.usableMemory
         if (need > most) {
             val problem = "has too many triangles for the memory: their normals need $need bytes, Java may use $most"
-            source.fail(null, problem, "raise -Xmx, or LoadOptions(smoothNormals = false)")
+            source.exhausted(problem, "raise -Xmx, or LoadOptions(smoothNormals = false)")
         }
         return mesh.withSmoothNormals(creaseAngle)
     }
@@ -115,7 +119,10 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     }
 
     private fun exceeded(source: Source, problem: String, limit: String, flag: String, memory: String): Nothing =
-        source.fail(null, problem, "if it can be trusted, raise LoadLimits.$limit (zcli: $flag)$memory")
+        source.fail(null, problem, remedy(limit, flag, memory))
+
+    private fun remedy(limit: String, flag: String, memory: String): String =
+        "if it can be trusted, raise LoadLimits.$limit (zcli: $flag)$memory"
 
     companion object {
         /** Remedy for JSON that is nested too deeply. */

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.loading
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.NamedCamera
 import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneMemoryException
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.printable
 import dev.lazyz.scenes.text.TextEncoding
@@ -37,10 +38,10 @@ internal class Source(
         loading.read(bytes.size)
     }
 
-    private val distinctWarnings = LinkedHashSet<String>()
+    private val allWarnings = Warnings()
 
-    /** Warnings about what was ignored so far, each once; reported by [LoadedScene.warnings]. */
-    val warnings: List<String> get() = distinctWarnings.toList()
+    /** Warnings about what was ignored so far; reported by [LoadedScene.warnings]. */
+    val warnings: List<String> get() = allWarnings.toList()
 
     /** Cameras of the model so far; reported by [LoadedScene.cameras]. */
     val cameras = ArrayList<NamedCamera>()
@@ -67,18 +68,28 @@ internal class Source(
         content = null
     }
 
-    /** Adds a warning, unless it is there already: some files are read twice. */
-    fun warn(sentence: String) {
-        distinctWarnings.add(printable("$name: $sentence"))
+    /** Adds a warning, unless it is there already. */
+    fun warn(sentence: String): Unit = warn(sentence, "", "")
+
+    /**
+     * Adds the warning [before] [subject] [after]. If there are several that differ only in their [subject], they become
+     * one.
+     */
+    fun warn(before: String, subject: String, after: String) {
+        allWarnings.add(printable("$name: $before"), printable(subject), printable(after))
     }
 
     /** Adds the warnings about a file that it refers to. */
     fun warnAll(loaded: LoadedScene) {
-        distinctWarnings.addAll(loaded.warnings)
+        loaded.warnings.forEach { allWarnings.add(it, "", "") }
     }
 
     fun fail(location: String?, problem: String, remedy: String? = null, cause: Throwable? = null): Nothing =
         throw SceneFormatException(name, location, problem, remedy, cause)
+
+    /** Fails because the memory is too small. */
+    fun exhausted(problem: String, remedy: String, cause: Throwable? = null): Nothing =
+        throw SceneMemoryException(name, problem, remedy, cause)
 }
 
 /** A parser of one format. Throws only [SceneFormatException] for bad input. */

@@ -30,7 +30,7 @@ internal class PolygonCutting(
             )
             if (local == null) {
                 val most = Triangulation.MAX_CONCAVE_CORNERS
-                source.warn("a concave face of $count corners, more than $most, is left out")
+                source.warn("", "a concave face of $count corners", ", more than $most, is left out")
             } else {
                 for (corner in local) corners.add(start + corner)
             }

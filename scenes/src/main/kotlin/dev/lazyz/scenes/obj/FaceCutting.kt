@@ -24,7 +24,8 @@ internal class FaceCutting(
         )
         if (local == null) {
             val most = Triangulation.MAX_CONCAVE_CORNERS
-            source.warn("line ${faces.line(face)}: a concave face of $count corners, more than $most, is left out")
+            val where = "line ${faces.line(face)}"
+            source.warn("", "$where: a concave face of $count corners", ", more than $most, is left out")
             return
         }
         for (corner in local) corners.add(start + corner)

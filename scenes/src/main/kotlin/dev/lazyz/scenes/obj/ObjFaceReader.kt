@@ -81,7 +81,7 @@ internal class ObjFaceReader(
     private fun readAny() {
         val count = survey()
         if (count < 3) {
-            source.warn("line ${statements.number}: a face of $count corners is left out")
+            source.warn("", "line ${statements.number}", ": a face of $count corners is left out")
             return
         }
         faces.begin(part, statements.number)

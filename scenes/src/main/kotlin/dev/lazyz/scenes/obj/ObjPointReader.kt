@@ -29,6 +29,6 @@ internal class ObjPointReader(
             if (count++ > 0) model.points.add(material, statements.number, previous, vertex)
             previous = vertex
         }
-        if (count < 2) source.warn("line ${statements.number}: a line of $count vertices is left out")
+        if (count < 2) source.warn("", "line ${statements.number}", ": a line of $count vertices is left out")
     }
 }

@@ -66,7 +66,8 @@ internal class SurfaceReader(
         if (bare.isNotEmpty()) {
             val lack = "no texture coordinates for the texture of its material"
             if (bare.size == surfaces.size) node.fail("\"${node.text()}\" has $lack", "remove the texture")
-            source.warn("${bare.size} of ${surfaces.size} surfaces of ${node.text()} have $lack, and are shown without")
+            val which = "${bare.size} of ${surfaces.size} surfaces of ${node.text()}"
+            source.warn("", which, " have $lack, and are shown without")
         }
         return surfaces.map { surface ->
             surface.withMaterials {

@@ -66,8 +66,8 @@ internal class ThreeMfTextures(private val source: Source, private val archive: 
     private fun decode(path: String): Texture? {
         val bytes = archive.bytes(path)
         val texture = bytes?.let { TextureFiles.decode(source, it, path.substringAfterLast('/')) }
-        if (bytes == null) source.warn("texture $path is not in the package and is left out")
-        if (bytes != null && texture == null) source.warn("texture $path ${TextureFiles.NOT_DECODED}")
+        if (bytes == null) source.warn("texture ", path, " is not in the package and is left out")
+        if (bytes != null && texture == null) source.warn("texture ", path, " ${TextureFiles.NOT_DECODED}")
         return texture
     }
 

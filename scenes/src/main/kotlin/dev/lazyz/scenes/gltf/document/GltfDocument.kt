@@ -17,7 +17,6 @@ import java.util.Base64
 internal class GltfDocument(val source: Source, val json: GlTF, private val binary: ByteBuffer?) {
     private val buffers = HashMap<Int, ByteBuffer>()
     private val compressed = GltfCompressedViews(this)
-    private val warned = HashSet<String>()
     private val counted = CountedWarnings(source)
 
     /**
@@ -105,9 +104,10 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
     }
 
     /** Reports a warning, once for each [sentence]. */
-    fun warn(sentence: String) {
-        if (warned.add(sentence)) source.warn(sentence)
-    }
+    fun warn(sentence: String): Unit = source.warn(sentence)
+
+    /** Reports the warning [subject] [after]; those that differ only in their [subject] become one. */
+    fun warn(subject: String, after: String): Unit = source.warn("", subject, after)
 
     /** Adds [more] to the count of [sentence]. [warnOfCounts] reports the totals. */
     fun count(sentence: String, more: Int = 1): Unit = counted.count(sentence, more)

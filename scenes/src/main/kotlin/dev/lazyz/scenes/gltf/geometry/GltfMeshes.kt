@@ -56,7 +56,7 @@ internal class GltfMeshes(
         if (mode !in GltfPoints.POINTS..GltfTriangles.FAN) document.fail("$where.mode", "there is no mode $mode")
         val positions = vertices.floats("POSITION", ElementType.VEC3)
         if (positions == null) {
-            document.warn("$where: there are no positions, so nothing of it is drawn")
+            document.warn(where, ": there are no positions, so nothing of it is drawn")
             return null
         }
         val here = "$where.attributes"
@@ -131,7 +131,7 @@ internal class GltfMeshes(
 
     private fun triangles(mode: Int, indices: IntArray, where: String): IntArray {
         if (mode == GltfTriangles.TRIANGLES && indices.size % 3 != 0) {
-            document.warn("$where: vertex numbers are not triples; the last ${indices.size % 3} are left out")
+            document.warn(where, ": vertex numbers are not triples; the last ${indices.size % 3} are left out")
         }
         val triangles = if (mode == GltfTriangles.TRIANGLES) indices.size / 3 else maxOf(indices.size - 2, 0)
         document.source.loading.triangles(document.source, triangles.toLong())

@@ -110,7 +110,7 @@ internal class GltfMaterials(private val document: GltfDocument) {
         "MASK" -> AlphaMode.MASK
         "BLEND" -> AlphaMode.BLEND
         else -> AlphaMode.OPAQUE.also {
-            document.warn("$where.alphaMode ${json.alphaMode} is unknown and taken as OPAQUE")
+            document.warn(where, ".alphaMode ${json.alphaMode} is unknown and taken as OPAQUE")
         }
     }
 

@@ -55,7 +55,7 @@ internal class GltfTextures(private val document: GltfDocument) {
     private fun withoutImage(texture: TextureJson, index: Int): Texture? {
         val extension = formats.keys.firstOrNull { ExtensionValues.of(texture, it) != null }
         when {
-            extension == null -> document.warn("textures[$index] has no image of a known kind and is left out")
+            extension == null -> document.warn("textures[$index]", " has no image of a known kind and is left out")
             undecoded.add(index) ->
                 document.count(
                     "textures whose only image is of the extension $extension (${formats[extension]}) are left out; " +
@@ -77,22 +77,22 @@ internal class GltfTextures(private val document: GltfDocument) {
         if (uri != null) return file(uri, label)
         val bytes = bytes(image, index)
         if (bytes == null) {
-            document.warn("$label is missing and is left out")
+            document.warn(label, " is missing and is left out")
             return null
         }
         val texture = TextureFiles.decode(document.source, bytes, image.name ?: "images[$index]")
-        if (texture == null) document.warn("$label ${TextureFiles.NOT_DECODED}")
+        if (texture == null) document.warn(label, " ${TextureFiles.NOT_DECODED}")
         return texture
     }
 
     private fun file(uri: String, label: String): Texture? {
         val found = document.find(uri)
         if (found.file == null) {
-            document.warn("$label ${found.warning}")
+            document.warn(label, " ${found.warning}")
             return null
         }
         val texture = TextureFiles.ofFile(document.source, found.file)
-        if (texture == null) document.warn("$label ${TextureFiles.NOT_DECODED}")
+        if (texture == null) document.warn(label, " ${TextureFiles.NOT_DECODED}")
         return texture
     }
 

@@ -31,7 +31,7 @@ internal class MtlLibrary(private val source: Source) {
     fun add(reference: String) {
         for (name in names(reference)) {
             val found = source.references.find(name)
-            if (found.file == null) source.warn("material library $name ${found.warning}") else read(found.file)
+            if (found.file != null) read(found.file) else source.warn("material library ", name, " ${found.warning}")
         }
     }
 
@@ -57,7 +57,7 @@ internal class MtlLibrary(private val source: Source) {
     fun material(name: String?): MtlMaterial {
         val plain = name?.let(TextLines::uncommented)
         return materials[name] ?: materials[plain] ?: uncommented[plain] ?: missing.getOrPut(name) {
-            if (name != null) source.warn("material $name is not defined in any library and becomes plain white")
+            if (name != null) source.warn("material ", name, " is not defined in any library and becomes plain white")
             MtlMaterial(Material(name = name ?: ""), isDefined = false)
         }
     }
@@ -65,7 +65,7 @@ internal class MtlLibrary(private val source: Source) {
     private fun read(file: Path) {
         val bytes = FileReferences.read(file)
         if (bytes == null) {
-            source.warn("material library $file cannot be read; its materials are plain white")
+            source.warn("material library ", "$file", " cannot be read; its materials are plain white")
             return
         }
         val statements = MtlStatements(TextEncoding.utf8(bytes))
@@ -84,7 +84,8 @@ internal class MtlLibrary(private val source: Source) {
             uncommented.putIfAbsent(TextLines.uncommented(entry.name), material)
         }
         if (statements.unused.total > 0) {
-            source.warn("material library ${file.fileName}: statements that are not used are ${statements.unused}")
+            val unused = "statements that are not used are ${statements.unused}"
+            source.warn("material library ", "${file.fileName}", ": $unused")
         }
     }
 

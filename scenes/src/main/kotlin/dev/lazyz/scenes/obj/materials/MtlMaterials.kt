@@ -98,7 +98,7 @@ internal class MtlMaterials(private val source: Source, folders: List<Path>) {
         val alpha = mtl.d?.takeIf { it.isFinite() }?.coerceIn(0f, 1f) ?: 1f
         if (alpha > 0f) return alpha
         val statement = if (hasOpacity) "d 0" else "Tr 1 without d"
-        source.warn("material ${mtl.name}: $statement would make it invisible, and is treated as opaque")
+        source.warn("material ", mtl.name, ": $statement would make it invisible, and is treated as opaque")
         return 1f
     }
 
