@@ -7,6 +7,7 @@ import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.core.parse
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
+import dev.lazyz.cli.output.Heartbeat
 import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.Streams
 import java.io.InputStream
@@ -19,6 +20,7 @@ fun main(args: Array<String>) {
     VectorModule.loadIfWanted()
     val streams = Streams.ofProcess()
     Thread.setDefaultUncaughtExceptionHandler(ThreadEnd(streams.messages))
+    Heartbeat(streams).start()
     exitProcess(run(args, streams))
 }
 

@@ -62,7 +62,8 @@ class LauncherTest {
     }
 
     private fun render(environment: Map<String, String> = mapOf(), script: Path = home.resolve("zcli")) {
-        val process = zcli("render", "cycle", "--size", "40x30", "-o", "-", environment = environment, script = script)
+        val process =
+            zcli("render", "cycle", "--size", "40x30", "--quiet", "-o", "-", environment = environment, script = script)
         assertEquals(0, process.exitValue(), errors)
         assertEquals("", errors)
         assertEquals(40, ImageIO.read(folder.resolve("output").toFile()).width)
@@ -264,7 +265,8 @@ class LauncherTest {
 
     companion object {
         private val OFF = mapOf("ZCLI_CACHE" to "")
-        private val KERNEL_JOB = arrayOf("render", "cycle", "--size", "40x30", "--stats=json", "-o", "kernel.png")
+        private val KERNEL_JOB =
+            arrayOf("render", "cycle", "--size", "40x30", "--quiet", "--stats=json", "-o", "kernel.png")
 
         @TempDir
         lateinit var home: Path

@@ -59,7 +59,7 @@ class ProcessTest {
     @Test
     @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun pictureInTheCurrentFolder() {
-        assertEquals(0, start("render", "teapot", "--size", "40x30").code(), errors)
+        assertEquals(0, start("render", "teapot", "--size", "40x30", "--quiet").code(), errors)
         assertTrue(folder.resolve("teapot.png").exists())
         assertEquals("", errors)
     }
@@ -79,7 +79,7 @@ class ProcessTest {
     @Test
     @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun closedPipe() {
-        val process = start("render", "teapot", "-o", "-", "--size", "1500x1500")
+        val process = start("render", "teapot", "-o", "-", "--size", "1500x1500", "--quiet")
         process.inputStream.close()
         assertEquals(0, process.code())
         assertEquals("", errors)
@@ -189,7 +189,8 @@ class ProcessTest {
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun picturesThatDoNotFitTogetherAreRenderedOneAfterTheOther() {
         val inputs = listOf("teapot", "city", "cycle", "molecule")
-        val options = listOf("--size", "600x600", "--strategy", "zbuffer", "--threads", "4", "-o", "{stem}.png")
+        val options =
+            listOf("--size", "600x600", "--strategy", "zbuffer", "--threads", "4", "--quiet", "-o", "{stem}.png")
         val process = start(listOf("render") + inputs + options, listOf("-Xmx112m")) {}
         assertEquals(0, process.code(), errors)
         assertEquals("", errors)

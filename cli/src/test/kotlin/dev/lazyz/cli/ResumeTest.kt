@@ -18,7 +18,8 @@ class ResumeTest {
     lateinit var folder: Path
 
     private val child by lazy { ChildZcli(folder) }
-    private val words = listOf("render", "teapot", "--size", "3000x4000", "--aa", "1", "--threads", "1", "-o")
+    private val words =
+        listOf("render", "teapot", "--size", "3000x4000", "--aa", "1", "--threads", "1", "--quiet", "-o")
 
     @Test
     fun aTerminatedPyramidLeavesNothing() {

@@ -9,6 +9,7 @@ import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.Progress
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.output.counted
 import dev.lazyz.cli.output.printable
 import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.sheet.ContactSheet
@@ -44,14 +45,16 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
         if (left < total / 2) throw Mistake(tooLarge(checkNotNull(sheet), total))
 
         // Render
-        val progress = Progress(streams, plan.inputs.size * plan.perInput, "pictures")
+        val pictures = plan.inputs.size * plan.perInput
+        streams.progress("rendering ${counted(pictures.toLong(), "picture")} ...")
+        val progress = Progress(streams, pictures, "pictures")
         val shares = Shares(MemoryShare(left), ThreadShare(threads), progress, sheet)
         val pool = Executors.newFixedThreadPool(minOf(threads, plan.inputs.size))
         try {
             val jobs = plan.inputs.map {
                 pool.submit<InputReport> { InputJob(request, plan, it, shares, streams).run() }
             }
-            for ((job, input) in jobs.zip(plan.inputs)) report(result(job, input.input))
+            for ((job, input) in jobs.zip(plan.inputs)) report(input, result(job, input.input), sheet)
         } finally {
             pool.shutdownNow()
         }
@@ -62,12 +65,10 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
             streams.remark("wrote ${plan.sheet}, ${sheet.width}x${sheet.height}")
         }
         if (failed > 0 && plan.inputs.size > 1) streams.error("$failed of ${plan.inputs.size} inputs failed")
-        return if (isBuggy) {
-            ExitCode.BUG
-        } else if (failed > 0) {
-            ExitCode.MISTAKE
-        } else {
-            ExitCode.DONE
+        return when {
+            isBuggy -> ExitCode.BUG
+            failed > 0 -> ExitCode.MISTAKE
+            else -> request.blanks.code(ExitCode.DONE)
         }
     }
 
@@ -77,11 +78,13 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
         InputReport(input, "", "", emptyList(), e.cause ?: e)
     }
 
-    private fun report(report: InputReport) = synchronized(streams) {
+    private fun report(input: InputPlan, report: InputReport, sheet: ContactSheet?) = synchronized(streams) {
         if (report.messages.isNotEmpty()) streams.note(report.messages)
         print(report.output)
         for (file in report.files) streams.remark("wrote $file")
-        report.failure?.let { report(report.input, it) }
+        val message = report.failure?.let { report(report.input, it) } ?: return
+        val cells = input.views.flatMap { view -> view.labels.indices.map { view.firstCell + it } }
+        cells.forEach { sheet?.fail(it, message) }
     }
 
     private fun print(text: String) {
@@ -94,7 +97,8 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
         }
     }
 
-    private fun report(input: String, failure: Throwable) {
+    /** Reports the failure, and returns the reason without the name of the input. */
+    private fun report(input: String, failure: Throwable): String {
         failed++
         val mistake = Failure.mistake(failure)
         if (mistake == null) {
@@ -104,12 +108,14 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
         val message = mistake ?: "bug in zcli, $failure"
         val name = printable(input)
         streams.error(if (name in message) message else "$name: $message")
-        if (request.stats != StatsForm.JSON) return
+        val reason = message.removePrefix(name).trimStart(',', ':', ' ')
+        if (request.stats != StatsForm.JSON) return reason
         val line = buildJsonObject {
             put("input", input)
             put("message", message)
         }
         print(Json.of(line) + "\n")
+        return reason
     }
 
     private fun sheet(): ContactSheet {

@@ -6,7 +6,6 @@ import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.output.OutputTemplate
 import dev.lazyz.cli.output.Placeholder
-import dev.lazyz.cli.output.printable
 import dev.lazyz.cli.render.Outputs
 import dev.lazyz.cli.render.PictureFile
 import dev.lazyz.scenes.writers.animation.AnimationFormat
@@ -64,7 +63,8 @@ internal class BatchPlan(private val request: BatchRequest) {
 
     init {
         requireSense()
-        inputs = request.inputs.mapIndexed { number, input -> plan(number, input) }
+        val labels = InputLabels(request.inputs)
+        inputs = request.inputs.mapIndexed { number, input -> plan(number, input, labels) }
         requireDistinct()
         val files = if (kind == Kind.SHEET) {
             listOf(sheet)
@@ -115,7 +115,7 @@ internal class BatchPlan(private val request: BatchRequest) {
         if (Placeholder.FRAME in places && series.turntable == null) throw Mistake("{frame} in -o needs --turntable")
     }
 
-    private fun plan(number: Int, word: String): InputPlan {
+    private fun plan(number: Int, word: String, labels: InputLabels): InputPlan {
         val input = Input(word, null)
         val plans = views.mapIndexed { at, view ->
             val files = when (kind) {
@@ -124,13 +124,13 @@ internal class BatchPlan(private val request: BatchRequest) {
                 Kind.STILLS -> List(frames) { file(number, input, word, view, it) }
             }
             val first = number * perInput + at * frames
-            ViewPlan(view, files, first, List(frames) { label(input, view, it) })
+            ViewPlan(view, files, first, List(frames) { label(labels[number], view, it) })
         }
         return InputPlan(word, plans)
     }
 
-    private fun label(input: Input, view: View?, frame: Int): String = listOfNotNull(
-        printable(input.baseName ?: input.name),
+    private fun label(name: String, view: View?, frame: Int): String = listOfNotNull(
+        name,
         view?.name?.lowercase(),
         if (series.turntable == null) null else "${frame + 1}",
     ).joinToString(" ")
@@ -138,6 +138,7 @@ internal class BatchPlan(private val request: BatchRequest) {
     private fun file(number: Int, input: Input, word: String, view: View?, frame: Int): Path {
         val name = template.expand { placeholder ->
             when (placeholder) {
+                Placeholder.DIR -> input.folder
                 Placeholder.STEM -> named(input.baseName, placeholder, input)
                 Placeholder.NAME -> named(input.baseName?.let { Path.of(word).name }, placeholder, input)
                 Placeholder.EXT -> named(input.baseName?.let { Path.of(word).extension }, placeholder, input)
@@ -192,9 +193,15 @@ internal class BatchPlan(private val request: BatchRequest) {
 
     private fun clash(file: Path, first: String, second: String): String {
         val used = template.placeholders
+        if (used.isEmpty() && file.extension.isEmpty()) {
+            val names = if (views.size > 1) "{stem}_{view}.png" else "{stem}.png"
+            val folder = template.text.trimEnd('/')
+            return "$file is no name of several pictures; for a folder of them, use -o '$folder/$names'"
+        }
         val missing = when {
             views.size > 1 && Placeholder.VIEW !in used -> Placeholder.VIEW
             used.none { it == Placeholder.STEM || it == Placeholder.NAME } -> Placeholder.STEM
+            Placeholder.DIR !in used && Input(first, null).folder != Input(second, null).folder -> Placeholder.DIR
             else -> Placeholder.INDEX
         }
         return "two pictures would be written to $file: of $first and of $second; add ${missing.word} to -o"

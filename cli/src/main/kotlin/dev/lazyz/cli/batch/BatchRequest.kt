@@ -1,6 +1,7 @@
 package dev.lazyz.cli.batch
 
 import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.world.View
@@ -14,6 +15,7 @@ import dev.lazyz.world.View
  * @property viewName the name of that side
  * @property output the value of `-o`
  * @property series the pictures of each input and view
+ * @property blanks what happens if a picture is blank
  * @property args the words of the command line, for bug reports
  */
 internal class BatchRequest(
@@ -26,6 +28,7 @@ internal class BatchRequest(
     val strategy: String?,
     val choices: Choices,
     val stats: StatsForm?,
+    val blanks: BlankPictures,
     val args: List<String>,
 )
 

@@ -47,7 +47,8 @@ internal class InputPictures(
         when (plan.kind) {
             Kind.STILLS -> for ((frame, file) in view.files.withIndex()) {
                 pictures.render(frame) { shot, render ->
-                    PictureFile.lostAlpha(file, shot.alpha)?.let { streams.warning(view.labels[frame], it) }
+                    val warnings = PictureFile.warnings(file, shot.pixels, shot.alpha)
+                    warnings.forEach { streams.warning(view.labels[frame], it) }
                     PictureFile.write(file, shot.pixels, shot.alpha, render)
                 }
                 files.add(file)
@@ -106,7 +107,7 @@ internal class InputPictures(
                 var counters = Counters.NONE
                 write(shot) { sink -> counters = shot.render(strategy, FanOut(listOf(sink, tally))) }
                 val nanoseconds = System.nanoTime() - start
-                streams.warnIfBlank(tally, view.labels[frame])
+                request.blanks.report(tally.blank, streams, view.labels[frame])
                 if (request.stats != null) {
                     statistics.append(
                         text(

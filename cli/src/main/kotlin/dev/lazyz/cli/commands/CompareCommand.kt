@@ -26,6 +26,7 @@ import dev.lazyz.cli.options.comparedStrategies
 import dev.lazyz.cli.options.count
 import dev.lazyz.cli.options.listOf
 import dev.lazyz.cli.options.words
+import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Mistake
@@ -60,17 +61,18 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
     )
 
     override fun run() {
-        val code = StrategyPath.with(own.classPath) { compare() }
+        val blanks = outcome.applyTo(streams)
+        val code = blanks.code(StrategyPath.with(own.classPath) { compare(blanks) })
         if (code != ExitCode.DONE) throw ProgramResult(code)
     }
 
-    private fun compare(): Int {
+    private fun compare(blanks: BlankPictures): Int {
         val views = own.views.orEmpty()
         val directed = camera.pointOfView().directed
         if (views.isNotEmpty() && directed.isNotEmpty()) {
             throw Mistake("--views cannot be combined with ${directed[0]}")
         }
-        val request = CompareRequest(own.strategies.distinct(), cost.choices(), own.repeat, views)
+        val request = CompareRequest(own.strategies.distinct(), cost.choices(), own.repeat, views, blanks)
         if (inputs.count { it == "-" } > 1) throw Mistake("standard input can be only one of the inputs")
         val named = NamedInputs(inputs, reading.format)
         if (named.isSingle && views.size < 2) {
@@ -84,7 +86,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
         val source = FrameSource(subject, streams)
         val job = CompareJob(request, streams)
         val comparison = job.compare(source, source.load(), request.views.singleOrNull())
-        if (comparison.isBlank) streams.nothingIsVisible()
+        request.blanks.report(comparison.blank, streams)
         streams.print(if (own.isJson) comparison.toJson() + "\n" else ComparisonTable.of(comparison))
         for (bug in comparison.bugs) streams.messages.println(Failure.bugReport(bug, args.toTypedArray()))
         return if (comparison.isGood) ExitCode.DONE else ExitCode.DIFFERENT

@@ -20,6 +20,7 @@ import dev.lazyz.cli.options.path
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Nearest
+import dev.lazyz.cli.output.ReportPlace
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.counted
 import dev.lazyz.cli.strategies.Strategies
@@ -35,6 +36,7 @@ import dev.lazyz.conformance.results.RuleListener
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.WaiversException
 import dev.lazyz.conformance.run.FramesException
+import dev.lazyz.scenes.html.Html
 import java.nio.file.Path
 import java.time.Duration
 import java.util.concurrent.ThreadLocalRandom
@@ -82,8 +84,13 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         help = "Repeat the run of this report.json, with its settings, and compare the outcome of each rule",
     ).path("REPORT")
 
-    private val report by option("--report", help = "Also write the report to this folder, with pictures of failures")
-        .path("FOLDER")
+    private val report by option(
+        "--report",
+        help = "Also write the report: ${ReportPlace.HELP}, with the report as text, JSON and JUnit XML, and the " +
+            "frames that failed",
+    ).path("OUT")
+
+    private var reportPlace: ReportPlace? = null
 
     private val fuzzing by FuzzingOptions()
 
@@ -97,7 +104,8 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private val isQuiet by option(
         "--quiet",
-        help = "Do not print the outcome of each rule to standard error while the suite runs",
+        help = "Do not print to standard error, while the suite runs, the outcome of each rule or, with --against, " +
+            "what is done",
     ).flag()
 
     private val isJson by option("--json", help = "Print JSON instead of the summary").flag()
@@ -128,6 +136,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     override fun run() {
         fuzzing.check(rulesOnly())
+        reportPlace = report?.let { ReportPlace(it, "--report") }
         val process = ConformanceProcess.current()
         if (process == null) frames?.let { announce(it) }
         val code = when {
@@ -155,7 +164,6 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         report?.let { "--report" },
         deadline?.let { "--deadline" },
         if (isInProcess) "--in-process" else null,
-        if (isQuiet) "--quiet" else null,
         if (isJson) "--json" else null,
     )
 
@@ -177,6 +185,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
     /** Runs the suite, passes the text of the report to [print], and returns the exit code. */
     private fun judged(journal: Path?, print: (String) -> Unit): Int = try {
         val report = judge(journal)
+        reportPlace?.takeIf { it.folder == null }?.let { Html.write(it.page, report.toHtml()) }
         val words = ConformanceWords(recorded, isJson)
         print(words.text(report))
         words.code(report)
@@ -194,6 +203,8 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private fun fuzz(): Int = StrategyPath(classPath).use { path ->
         val id = strategy ?: throw Mistake("which strategy? Use --strategy ID")
+        streams.isQuiet = isQuiet
+        streams.progress("comparing pictures of random frames ...")
         val report = fuzzing.run(path.find(id), seed, path::find)
         streams.print(report.toText())
         if (report.isEqual) ExitCode.DONE else ExitCode.DIFFERENT
@@ -248,7 +259,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
             throw Mistake(bad.message.orEmpty())
         }
         frames?.let { conformance.frames(it) }
-        report?.let { conformance.output(it) }
+        reportPlace?.folder?.let { conformance.output(it) }
         return conformance
     }
 

@@ -26,6 +26,7 @@ import dev.lazyz.cli.options.LightOptions
 import dev.lazyz.cli.options.LimitOptions
 import dev.lazyz.cli.options.LineOptions
 import dev.lazyz.cli.options.MemoryOptions
+import dev.lazyz.cli.options.MessageOptions
 import dev.lazyz.cli.options.PictureOptions
 import dev.lazyz.cli.options.ReadingOptions
 import dev.lazyz.cli.options.SeriesOptions
@@ -37,6 +38,7 @@ import dev.lazyz.cli.options.path
 import dev.lazyz.cli.options.selector
 import dev.lazyz.cli.options.subject
 import dev.lazyz.cli.options.words
+import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputTemplate
@@ -79,6 +81,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     private val memory by MemoryOptions()
     private val cost by CostOptions()
     private val limits by LimitOptions()
+    private val outcome by MessageOptions()
 
     override fun help(context: Context): String =
         "Renders models or scenes to pictures.\n\nBy default the camera shows the whole model from the front " +
@@ -105,6 +108,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     )
 
     override fun run() {
+        val blanks = outcome.applyTo(streams)
         if (output.stats != null) requireAttachedForm()
         if (picture.isOpaque && rendering.selector == Selector.blend()) {
             throw Mistake("--select blend has no effect with --opaque, which leaves nothing to blend: omit one of them")
@@ -131,9 +135,9 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         val template = output.picture?.let { OutputTemplate(it) }
         val code = StrategyPath.with(rendering.classPath) {
             if (isSingle && template?.placeholders.isNullOrEmpty()) {
-                RenderJob(single(template?.name), streams).run()
+                RenderJob(single(template?.name, blanks), streams).run()
             } else {
-                BatchJob(several(named), streams).run()
+                BatchJob(several(named, blanks), streams).run()
             }
         }
         if (code != ExitCode.DONE) throw ProgramResult(code)
@@ -148,7 +152,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         }
     }
 
-    private fun single(picture: String?) = RenderRequest(
+    private fun single(picture: String?, blanks: BlankPictures) = RenderRequest(
         subject = subject(inputs.single(), null),
         output = picture,
         depthOutput = output.depth,
@@ -162,9 +166,10 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         streamingForMemory = streaming.forMemory,
         resumption = if (output.isResumed) Resumption(args) else null,
         memory = memory.bytes,
+        blanks = blanks,
     )
 
-    private fun several(named: NamedInputs): BatchRequest {
+    private fun several(named: NamedInputs, blanks: BlankPictures): BatchRequest {
         val series = several.series()
         val views = several.views.orEmpty()
         val pointOfView = camera.pointOfView()
@@ -194,6 +199,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
             strategy = rendering.strategy,
             choices = cost.choices(rendering.selector),
             stats = output.stats,
+            blanks = blanks,
             args = args,
         )
     }
@@ -225,7 +231,8 @@ private class OutputOptions : OptionGroup("Output") {
         completionCandidates = CompletionCandidates.Path,
         help = "The file for the picture: .png, .ppm or .dzi (a Deep Zoom pyramid, for web viewers), or - for PNG to " +
             "standard output; default: INPUT's name with .png in the current folder, if that file does not exist " +
-            "yet; none with --ref. For several pictures, with {stem}, {name} or {ext} of INPUT, {view}, {index} or {frame}",
+            "yet; none with --ref. For several pictures, with {dir}, {stem}, {name} or {ext} of INPUT, {view}, " +
+            "{index} or {frame}",
     )
 
     val isResumed by option(

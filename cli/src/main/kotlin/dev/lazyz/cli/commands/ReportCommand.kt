@@ -20,6 +20,7 @@ import dev.lazyz.cli.options.path
 import dev.lazyz.cli.output.CommandLine
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
+import dev.lazyz.cli.output.ReportPlace
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.report.ReportJob
 import dev.lazyz.cli.report.ReportRequest
@@ -47,8 +48,9 @@ internal class ReportCommand(private val streams: Streams, private val args: Lis
     )
 
     override fun run() {
+        val blanks = outcome.applyTo(streams)
         val subject = subject(input)
-        val compared = CompareRequest(own.strategies.distinct(), cost.choices(), own.repeat, emptyList())
+        val compared = CompareRequest(own.strategies.distinct(), cost.choices(), own.repeat, emptyList(), blanks)
         val command = CommandLine.of(CommandLine.without(args, setOf("-o", "--output")) + listOf("-o", "report.html"))
         val report = StrategyPath.with(own.classPath) {
             TimeLimit.OF_PROCESS.hold(subject.timeLimit, input) {
@@ -56,13 +58,16 @@ internal class ReportCommand(private val streams: Streams, private val args: Lis
             }
         }
         for (bug in report.bugs) streams.messages.println(Failure.bugReport(bug, args.toTypedArray()))
-        if (!report.isGood) throw ProgramResult(ExitCode.DIFFERENT)
+        val code = blanks.code(if (report.isGood) ExitCode.DONE else ExitCode.DIFFERENT)
+        if (code != ExitCode.DONE) throw ProgramResult(code)
     }
 }
 
 /** Options of the page. */
 internal class ReportOptions : OptionGroup("Report") {
-    val output by option("-o", "--output", help = "The file of the page: .html").path("OUT").required()
+    val output by option("-o", "--output", help = "Where to write the report: ${ReportPlace.HELP}")
+        .path("OUT")
+        .required()
 
     val strategies by comparedStrategies()
 

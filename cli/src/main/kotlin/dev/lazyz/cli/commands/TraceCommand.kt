@@ -1,6 +1,7 @@
 package dev.lazyz.cli.commands
 
 import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.convert
@@ -15,6 +16,7 @@ import dev.lazyz.cli.options.PictureCommand
 import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.count
 import dev.lazyz.cli.options.severalStrategies
+import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.StrategyPath
@@ -45,16 +47,19 @@ internal class TraceCommand(private val streams: Streams) :
     )
 
     override fun run() {
+        val blanks = outcome.applyTo(streams)
         val choices = cost.choices()
         if ("--threads" in choices.needs) {
             throw Mistake("--threads cannot be used here: the order of shading calls is that of one thread")
         }
         val subject = subject(input)
         val request =
-            TraceRequest(subject, own.output, own.strategies, choices, own.steps, own.framesPerSecond)
+            TraceRequest(subject, own.output, own.strategies, choices, own.steps, own.framesPerSecond, blanks)
         StrategyPath.with(own.classPath) {
             TimeLimit.OF_PROCESS.hold(subject.timeLimit, input) { TraceJob(request, streams).run() }
         }
+        val code = blanks.code(ExitCode.DONE)
+        if (code != ExitCode.DONE) throw ProgramResult(code)
     }
 }
 

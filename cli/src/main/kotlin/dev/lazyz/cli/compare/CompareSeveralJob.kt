@@ -90,7 +90,8 @@ internal class CompareSeveralJob(
         for (view in request.views.ifEmpty { listOf(null) }) {
             val comparison = job.compare(source, loaded, view)
             pictures++
-            if (comparison.isBlank) blank++
+            if (comparison.blank != null) blank++
+            if (request.blanks.isMistake) request.blanks.report(comparison.blank, streams, comparison.name)
             line.add(comparison)
             comparison.bugs.forEach { report(it) }
             if (isJson) printLine(comparison.toJson())
@@ -149,7 +150,7 @@ private class CompareLine(input: String) {
     fun add(comparison: Comparison) {
         primitives = maxOf(primitives, comparison.shot.frame.primitives.size)
         notBlending = comparison.outcomes.count { (_, outcome) -> outcome is Outcome.NotBlending }
-        if (comparison.isBlank) blank++
+        if (comparison.blank != null) blank++
         val view = comparison.view?.let { "${it.name.lowercase()}: " }.orEmpty()
         for ((id, outcome) in comparison.outcomes) {
             when (outcome) {
@@ -183,7 +184,7 @@ private class CompareLine(input: String) {
             if (notBlending > 0) {
                 append(", translucent: ${counted(notBlending.toLong(), "strategy", "strategies")} left out")
             }
-            if (blank > 0) append(", nothing is visible")
+            if (blank > 0) append(", nothing to see")
         }
     }
 }

@@ -6,6 +6,8 @@ import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Statistics
+import dev.lazyz.cli.output.Tally
+import dev.lazyz.cli.output.printable
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.world.View
 import kotlinx.serialization.json.JsonObjectBuilder
@@ -49,6 +51,9 @@ internal class Comparison(
     val reference: Reference?,
     val outcomes: List<Pair<String, Outcome>>,
 ) {
+    /** What the picture is called in messages. */
+    val name: String get() = listOfNotNull(printable(input), view?.name?.lowercase()).joinToString(", ")
+
     /** Whether no strategy failed, and all pictures are equal. */
     val isGood: Boolean = outcomes.none { (_, outcome) ->
         outcome is Outcome.Failed || (outcome is Outcome.Rendered && outcome.difference != null)
@@ -73,8 +78,10 @@ internal class Comparison(
         },
     )
 
-    /** Whether the picture shows only the background. */
-    val isBlank: Boolean get() = reference?.image?.visible == 0
+    /** Why there is nothing to see in the picture, or null if there is something, or no picture. */
+    val blank: String? by lazy {
+        reference?.image?.let { image -> Tally(image.width, isHashed = false).also { it.add(image) }.blank }
+    }
 
     /** Returns a sentence that describes the [difference] of the strategy [id]. */
     fun sentence(id: String, difference: Difference): String =

@@ -51,6 +51,9 @@ internal class Input(
             else -> Path.of(word).fileName?.toString()?.substringBeforeLast('.')?.ifEmpty { null }
         }
 
+    /** The folder of the input as its name says, or `.` if that says none. */
+    val folder: String get() = file?.parent?.toString() ?: "."
+
     /** Reads the scene. Reports mistakes in the name before it reads anything. */
     fun load(streams: Streams): LoadedScene {
         if (isStandardInput) {
@@ -99,7 +102,11 @@ internal class Input(
                 val rule = if (isScene) "; with --format, INPUT is always a file" else ""
                 throw Mistake("$shown: no such file$rule")
             }
-            val hint = Nearest.hint(word, Scenes.builtins.map { it.id })
+            val hint = when {
+                word.isNotEmpty() && word.all { it.isDigit() } -> "; a size is one word, such as --size 800x600"
+                path.toString().endsWith(".png", ignoreCase = true) -> "; is it the output? Then write -o $shown"
+                else -> Nearest.hint(word, Scenes.builtins.map { it.id })
+            }
             throw Mistake("there is no built-in scene and no file '$shown'$hint\nSee 'zcli scenes'.")
         }
         if (!Files.isRegularFile(path)) {

@@ -3,6 +3,7 @@ package dev.lazyz.cli.input
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.output.Progress
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.lighting.GroundShadow
@@ -97,9 +98,13 @@ internal class LightChoice(
         }
         AmbientOcclusion.obstacle(scene)?.let { throw Mistake("$name: $it, or leave out its shadows") }
         streams.progress("computing shadows ...")
-        val soft = if (hasOcclusion && matcap == null) occluded(scene, options) else scene
+        val isOccluded = hasOcclusion && matcap == null
+        val directions = (if (isOccluded) AmbientOcclusion.DEFAULT_DIRECTIONS else 0) +
+            (if (hasGroundShadow) GroundShadow.DIRECTIONS else 0)
+        val progress = Progress(streams, directions, "directions", "shadows")
+        val soft = if (isOccluded) occluded(scene, options, progress) else scene
         if (!hasGroundShadow) return soft
-        val shadow = GroundShadow.of(scene, options = options)
+        val shadow = GroundShadow.of(scene, options = options) { progress.advance() }
         val camera = scene.viewpoint as Camera
         return soft.withSurfaces(soft.surfaces + shadow)
             .withViewpoint(if (hasFreePlanes) shadow.camera(camera) else camera)
@@ -112,7 +117,7 @@ internal class LightChoice(
         return scene.withMaterials { it.withShader(shader) }
     }
 
-    private fun occluded(scene: Scene, options: RenderOptions): Scene =
+    private fun occluded(scene: Scene, options: RenderOptions, progress: Progress): Scene =
         scene.withMaterials { it.asMetallicRoughness() }
-            .withAmbientVisibility(AmbientOcclusion.of(scene, options = options))
+            .withAmbientVisibility(AmbientOcclusion.of(scene, options = options) { progress.advance() })
 }

@@ -22,6 +22,7 @@ internal abstract class PictureCommand<G : OptionGroup>(name: String, group: G, 
     private val lines by LineOptions()
     protected val cost: CostOptions by CostOptions()
     private val limits by LimitOptions()
+    protected val outcome: MessageOptions by MessageOptions()
 
     /** Returns what the options show of [input]. */
     protected fun subject(input: String): Subject =

@@ -2,6 +2,9 @@ package dev.lazyz.cli.output
 
 /** What stands in braces in `-o`, and is replaced by something of the picture. */
 internal enum class Placeholder {
+    /** The folder of the input. */
+    DIR,
+
     /** The name of the input without folder and extension. */
     STEM,
 

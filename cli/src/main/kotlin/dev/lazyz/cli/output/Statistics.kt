@@ -2,6 +2,7 @@ package dev.lazyz.cli.output
 
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
+import dev.lazyz.Image
 import dev.lazyz.PixelHash
 import dev.lazyz.Region
 import dev.lazyz.Renderer
@@ -35,7 +36,7 @@ internal class Statistics(
     ) + counted(counters, picture, aa) + mapOf(
         "visible" to tally.visible,
         "coverage" to tally.visible.toDouble() / picture.size,
-        "blank" to (tally.visible == 0L || tally.isIndistinct),
+        "blank" to (tally.blank != null),
         "warnings" to warnings,
         "millis" to millis(nanoseconds),
         "pixelHash" to tally.hash(),
@@ -80,8 +81,17 @@ internal class Tally(private val width: Int, isHashed: Boolean) : RowSink {
     private var color = 0
     private var isUniform = true
 
-    /** Whether what is visible so far has the same colour as the background around it. */
-    val isIndistinct: Boolean get() = isUniform && visible in 1 until pixels
+    /** Why there is nothing to see so far, or null if there is something. */
+    val blank: String?
+        get() = when {
+            visible == 0L -> "nothing is visible: the picture is all background"
+
+            isUniform && visible < pixels ->
+                "all pixels have the same colour, also those of the background; " +
+                    "choose another --background, --light or --color"
+
+            else -> null
+        }
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         if (pixels == 0L) color = argb[0]
@@ -92,6 +102,14 @@ internal class Tally(private val width: Int, isHashed: Boolean) : RowSink {
         for (x in 0 until width) if (primitive[x] != DepthTest.BACKGROUND) count++
         visible += count
         hash?.add(argb, width)
+    }
+
+    /** Counts the rows of [image]. */
+    fun add(image: Image) {
+        for (y in 0 until image.height) {
+            val row = y * width until (y + 1) * width
+            row(y, image.argb.sliceArray(row), image.depth, image.primitive.sliceArray(row))
+        }
     }
 
     /** Returns [dev.lazyz.Image.pixelHash] of the rows. Call it once, after the last row. */

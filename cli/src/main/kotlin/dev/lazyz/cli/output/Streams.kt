@@ -14,23 +14,33 @@ import java.nio.file.Path
  * The three standard streams, and which of them are terminals.
  *
  * @property messages standard error, for errors, warnings and progress
+ * @property now a clock, nanoseconds
  * @param isTerminal whether the stream with this number, 1 or 2, is a terminal; called only when needed
  */
 internal class Streams(
     val input: InputStream,
     output: OutputStream,
     val messages: PrintStream,
+    val now: () -> Long = System::nanoTime,
     isTerminal: (Int) -> Boolean = { false },
 ) {
     /** Whether standard output is a terminal. zcli does not write a picture to a terminal. */
     val isOutputTerminal: Boolean by lazy { isTerminal(1) }
 
-    /** Whether standard error is a terminal. Progress is printed only there. */
-    val isProgressShown: Boolean by lazy { isTerminal(2) }
+    /** Whether no progress is printed: not to a terminal, and not by [beat]. */
+    var isQuiet: Boolean = false
+
+    private val isMessageTerminal: Boolean by lazy { isTerminal(2) }
+    private val start = now()
+
+    /** What is done at the moment, or nothing. */
+    @Volatile
+    private var state = ""
 
     /** Standard output. Writing throws [OutputClosed] if it is a pipe whose reader has closed it. */
     val output: OutputStream = StandardOutput(output)
 
+    /** The message that stands on the terminal. */
     private val progress = StringBuilder()
 
     /** Prints text to standard output, in UTF-8. */
@@ -49,19 +59,6 @@ internal class Streams(
         messages.println("zcli: warning: $message")
     }
 
-    /** Warns of an empty picture, of [what] if there are several. */
-    fun nothingIsVisible(what: String? = null) = warning(what, "nothing is visible: the picture is all background")
-
-    /** Warns if nothing can be seen in the picture counted by [tally], of [what] if there are several. */
-    fun warnIfBlank(tally: Tally, what: String? = null) {
-        if (tally.visible == 0L) {
-            nothingIsVisible(what)
-        } else if (tally.isIndistinct) {
-            val advice = "choose another --background, --light or --color"
-            warning(what, "all pixels have the same colour, also those of the background; $advice")
-        }
-    }
-
     /** Warns of [message], about [what] if there are several pictures. */
     fun warning(what: String?, message: String) = warning((if (what == null) "" else "$what: ") + message)
 
@@ -73,18 +70,26 @@ internal class Streams(
 
     /** Prints a line to standard error if it is a terminal. */
     fun remark(message: String) {
-        if (!isProgressShown) return
+        if (isQuiet || !isMessageTerminal) return
         clearProgress()
         messages.println(message)
     }
 
-    /** Shows [message] on the terminal, if there is one, instead of the previous progress message. */
+    /** Says what is done now: shows [message] on the terminal, if there is one, instead of the previous one. */
     fun progress(message: String) {
-        if (!isProgressShown) return
+        state = message
+        if (isQuiet || !isMessageTerminal) return
         clearProgress()
         progress.append(message)
         messages.print(message)
         messages.flush()
+    }
+
+    /** Prints a line with the latest message of [progress], unless a terminal shows it. Thread safe. */
+    fun beat() {
+        val message = state
+        if (isQuiet || message.isEmpty() || isMessageTerminal) return
+        messages.println("zcli: after ${Progress.duration((now() - start) / NANOSECONDS)}: $message")
     }
 
     private fun clearProgress() {
@@ -106,7 +111,7 @@ internal class Streams(
             System.`in`,
             FileOutputStream(FileDescriptor.out).buffered(),
             System.err,
-            { isTerminal(it) && (it == 1 || System.getenv("TERM") != "dumb") },
+            isTerminal = { isTerminal(it) && (it == 1 || System.getenv("TERM") != "dumb") },
         )
 
         /**
@@ -136,6 +141,7 @@ internal class Streams(
         }
 
         private val others = listOf("/dev/null", "/dev/full", "/dev/zero")
+        private const val NANOSECONDS = 1_000_000_000L
         private const val FILE_TYPE = 0xF000
         private const val CHARACTER_DEVICE = 0x2000
     }

@@ -72,12 +72,8 @@ internal class MemoryAdvice(private val request: RenderRequest, private val allo
     }
 
     /** With the parts that a model is read in, most models need less memory. */
-    private fun stream(format: SceneFormat?): String = when (format) {
-        SceneFormat.STL -> " Or add --stream; each triangle then has its own normal."
-        SceneFormat.PLY, SceneFormat.OBJ ->
-            " Or add --stream; each triangle then has its own normal, and materials and textures are not read."
-        else -> ""
-    }
+    private fun stream(format: SceneFormat?): String =
+        StreamRequest.loss(format)?.let { " Or add --stream; $it." }.orEmpty()
 
     private fun smaller(canShrink: Boolean): String {
         if (!canShrink) return ""

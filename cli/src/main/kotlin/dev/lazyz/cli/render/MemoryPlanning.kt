@@ -53,7 +53,7 @@ internal class MemoryPlanning(
 
     /** Whether the model can be read part by part with the other options. */
     private val canStream: Boolean
-        get() = choice.canStream && request.streamingForMemory.obstacle(request) == null
+        get() = request.streamingForMemory.isPossible(request, choice)
 
     /** Whether the picture is the same if the model is read part by part. */
     private val isSameInParts: Boolean

@@ -63,6 +63,7 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
         request.depthOutput?.let { "--depth-out" },
         request.aovs.files.firstOrNull()?.first?.substringBefore(' '),
         request.reference?.let { "--ref" },
+        request.blanks.takeIf { it.isMistake }?.let { "--fail-blank" },
     )
 
     /**
@@ -98,8 +99,10 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     }
 
     private fun <T> writePicture(shot: Shot, render: (RowSink?) -> T): T {
+        if (picture != null || isStandardOutput) {
+            PictureFile.warnings(picture, shot.pixels, shot.alpha).forEach { streams.warning(it) }
+        }
         if (picture != null) {
-            PictureFile.lostAlpha(picture, shot.alpha)?.let { streams.warning(it) }
             return PictureFile.write(picture, shot.pixels, shot.alpha, render)
         }
         if (!isStandardOutput) return render(null)

@@ -15,6 +15,7 @@ import kotlin.io.path.extension
 
 /** Writes pictures to files; a file appears when it is complete. */
 internal object PictureFile {
+    private const val GIGAPIXEL = 1e9
     private const val PYRAMID = ".${DeepZoomFiles.EXTENSION}"
 
     /** What the names of pictures may end in. */
@@ -27,10 +28,22 @@ internal object PictureFile {
     fun places(path: Path): List<Path> =
         if (isPyramid(path)) listOf(path, DeepZoomFiles.tiles(path)) else listOf(path)
 
-    /** Returns a warning if a picture with this [alpha] loses it in the file [path], otherwise null. */
-    fun lostAlpha(path: Path, alpha: AlphaChannel): String? {
-        if (alpha == AlphaChannel.DROP || isPyramid(path) || ImageFiles.formatOf(path) != ImageFormat.PPM) return null
-        return "a .ppm file has no alpha: what is transparent is written as opaque; use .png"
+    /**
+     * Returns warnings about the file [path], or a PNG file on standard output if that is null, for the pixels of
+     * [region] with this [alpha]: where alpha is lost, and where another kind of file is better.
+     */
+    fun warnings(path: Path?, region: Region, alpha: AlphaChannel): List<String> {
+        if (path != null && isPyramid(path)) return emptyList()
+        val isPpm = path != null && ImageFiles.formatOf(path) == ImageFormat.PPM
+        return listOfNotNull(
+            "a .ppm file has no alpha: what is transparent is written as opaque; use .png".takeIf {
+                isPpm && alpha == AlphaChannel.KEEP
+            },
+            (
+                "the picture has %.1f gigapixels, and few programs open one file of that size; -o NAME$PYRAMID makes " +
+                    "a pyramid of tiles, of which a viewer in a browser loads what it shows"
+                ).format(null, region.size / GIGAPIXEL).takeIf { region.size > GIGAPIXEL },
+        )
     }
 
     /** Returns the memory for writing the pixels of [region] to [path], or as PNG to standard output if it is null. */

@@ -1,10 +1,12 @@
 package dev.lazyz.cli.render
 
 import dev.lazyz.Region
+import dev.lazyz.RowSink
 import dev.lazyz.cli.diff.DifferenceText
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.output.ExitCode
+import dev.lazyz.cli.output.Progress
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.output.StatisticsTable
 import dev.lazyz.cli.output.Streams
@@ -51,20 +53,28 @@ internal class RenderJob(private val request: RenderRequest, private val streams
     private fun run(streaming: StreamRequest?): Int {
         if (streaming == null) {
             val whole = if (planning == null) source else FrameSource(request.subject, streams, planning.loading)
-            return run(prepared { whole.load() }, null)
+            return run(prepared(isWhole = true) { whole.load() }, null)
         }
-        return prepared { source.stream(streaming.spool) }.use { run(it.loaded, streaming) }
+        return prepared(isWhole = false) { source.stream(streaming.spool) }.use { run(it.loaded, streaming) }
     }
 
-    /** Calls [prepare], and reports it if the memory is not enough for that. */
-    private fun <T> prepared(prepare: () -> T): T = if (planning == null) prepare() else planning.preparing(prepare)
+    /**
+     * Calls [prepare], and reports it if the memory is not enough for that.
+     *
+     * @param isWhole whether the model is kept in memory
+     */
+    private fun <T> prepared(isWhole: Boolean, prepare: () -> T): T = when {
+        planning != null -> planning.preparing(prepare)
+        isWhole -> request.streamingForMemory.advised(request, source.input.statedFormat, choice, prepare)
+        else -> prepare()
+    }
 
     private fun run(loaded: LoadedScene, streaming: StreamRequest?): Int {
         // Set up, and choose a strategy that supports the frame
         source.requireKept(loaded, outputs.replaced)
         val start = System.nanoTime()
         planning?.requireSetUp(loaded)
-        val shot = prepared { source.frame(loaded, request.choices.options()) }
+        val shot = prepared(isWhole = streaming == null) { source.frame(loaded, request.choices.options()) }
         val frame = shot.frame
         val plan = planning?.plan(shot)
         val strategy = plan?.renderer ?: choice.strategyFor(frame)
@@ -84,8 +94,8 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         var rendered = shot.pixels
         val counters = outputs.write(shot, request.resumption?.facts(source, loaded)) { sink, part ->
             rendered = part.pixels
-            val progress = ProgressSink.of(streams, part.pixels.height)
-            val all = FanOut(listOfNotNull(sink, tally, colors, progress))
+            val progress = Progress(streams, part.pixels.height, "rows")
+            val all = FanOut(listOfNotNull(sink, tally, colors, RowSink { _, _, _, _ -> progress.advance() }))
             if (aovs.isEmpty()) {
                 part.render(strategy, all)
             } else {
@@ -95,7 +105,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         val nanoseconds = System.nanoTime() - start
 
         // Report
-        if (rendered == shot.pixels) streams.warnIfBlank(tally)
+        if (rendered == shot.pixels) request.blanks.report(tally.blank, streams)
         outputs.describe(shot.pixels)
         val name = source.input.name
         val difference = colors?.let { reference.compare(it) }
@@ -107,7 +117,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
                 Statistics(name, strategy, rendered, shot.factor, counters, tally, warnings, nanoseconds)
             printStatistics(request.stats, statistics, comparison?.toJson())
         }
-        return if (difference?.isMatch == false) ExitCode.DIFFERENT else ExitCode.DONE
+        return request.blanks.code(if (difference?.isMatch == false) ExitCode.DIFFERENT else ExitCode.DONE)
     }
 
     /** What receives the [pixels]; those that are kept to be compared, and other data of each of them. */

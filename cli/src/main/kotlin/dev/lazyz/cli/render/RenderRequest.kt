@@ -1,6 +1,7 @@
 package dev.lazyz.cli.render
 
 import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.strategies.Choices
 import java.nio.file.Path
 
@@ -10,6 +11,7 @@ internal enum class StatsForm { TABLE, JSON }
 /**
  * The options of `zcli render`; null if the user did not give the option.
  *
+ * @property blanks what happens if the picture is blank
  * @property streamingForMemory how the model is read part by part if [memory] requires it
  */
 internal class RenderRequest(
@@ -26,4 +28,5 @@ internal class RenderRequest(
     val streamingForMemory: StreamRequest,
     val resumption: Resumption?,
     val memory: Long?,
+    val blanks: BlankPictures,
 )

@@ -46,6 +46,7 @@ internal class Resumption(private val args: List<String>) {
             "-o", "--output", "--threads", "--tile-size", "--memory-budget", "--coherence", "--strategy", "--memory",
             "--spool", "--max-spool",
         )
-        private val SWITCHES = setOf(OPTION, "--stats", "--stats=json", "--stats=table", "--explain", "--print-camera")
+        private val SWITCHES =
+            setOf(OPTION, "--quiet", "--stats", "--stats=json", "--stats=table", "--explain", "--print-camera")
     }
 }

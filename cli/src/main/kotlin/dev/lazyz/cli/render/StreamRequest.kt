@@ -1,6 +1,10 @@
 package dev.lazyz.cli.render
 
+import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.cli.strategies.StrategyChoice
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.SceneMemoryException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -22,6 +26,7 @@ internal class StreamRequest(spool: Path?) {
         return subject.lineWork.wholeModel ?: subject.light.wholeModel ?: subject.antiAliasing.wholeModel
             ?: request.aovs.files.firstOrNull()?.first?.substringBefore(' ')
             ?: "--texture".takeIf { subject.texture != null }
+            ?: "--max-decoded".takeIf { subject.loading.limits.decodedBytes != null }
     }
 
     /**
@@ -33,6 +38,36 @@ internal class StreamRequest(spool: Path?) {
         val option = obstacle(request)
         if (option != null) {
             throw Mistake("$option needs the whole model in memory; it cannot be combined with --stream")
+        }
+    }
+
+    /** Whether a model can be read part by part for [request], with a strategy of [choice]. */
+    fun isPossible(request: RenderRequest, choice: StrategyChoice): Boolean =
+        choice.canStream && obstacle(request) == null
+
+    /**
+     * Calls [prepare], which reads a model of [format] as a whole for [request] and sets it up. If it does not fit into
+     * memory, and could be read part by part, the message says so.
+     */
+    fun <T> advised(request: RenderRequest, format: SceneFormat?, choice: StrategyChoice, prepare: () -> T): T {
+        val loss = loss(format).takeIf { isPossible(request, choice) } ?: return prepare()
+        val advice = "add --stream, which reads it in parts ($loss)"
+        try {
+            return prepare()
+        } catch (full: SceneMemoryException) {
+            throw Mistake("${full.source}: ${full.problem}; $advice; or ${full.remedy}")
+        } catch (full: OutOfMemoryError) {
+            throw Mistake("${Failure.mistake(full)}, or $advice")
+        }
+    }
+
+    companion object {
+        /** Returns what a model of [format] loses if it is read part by part, or null if it cannot be. */
+        fun loss(format: SceneFormat?): String? = when (format) {
+            SceneFormat.STL -> "each triangle then has its own normal"
+            SceneFormat.PLY, SceneFormat.OBJ ->
+                "each triangle then has its own normal, and materials and textures are not read"
+            else -> null
         }
     }
 }

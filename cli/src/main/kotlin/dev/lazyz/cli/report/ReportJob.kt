@@ -10,6 +10,7 @@ import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.OutputPlaces
+import dev.lazyz.cli.output.ReportPlace
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.trace.ShadingOrder
@@ -21,25 +22,26 @@ internal class ReportJob(private val request: ReportRequest, private val streams
 
     fun run(): Report {
         // Report mistakes in the options before anything is read
-        OutputFile.check(request.output, "-o", listOf(".html"))
+        val page = ReportPlace(request.output, "-o").page
         val source = FrameSource(request.subject, streams)
-        val replaced = OutputPlaces(listOf("-o" to request.output))
+        val replaced = OutputPlaces(listOf("-o" to page))
         request.subject.requireKept(replaced)
         val job = CompareJob(request.compared, streams, kept = bytesPerPixel())
 
         val loaded = source.load()
         source.requireKept(loaded, replaced)
         val comparison = job.compare(source, loaded)
-        if (comparison.isBlank) streams.nothingIsVisible()
+        request.compared.blanks.report(comparison.blank, streams)
         val shot = comparison.shot
         val reference = comparison.reference?.image
         val entries = comparison.outcomes.map { (id, outcome) -> entry(Strategies.find(id), outcome, shot, reference) }
         val report = Report(source.input.name, request.command, comparison, entries, overdraw(shot, entries))
 
-        streams.progress("writing ${request.output} ...")
-        Html.write(request.output, ReportPage(report).html())
+        streams.progress("writing $page ...")
+        OutputFile.createFolder(page)
+        Html.write(page, ReportPage(report).html())
         streams.print(report.verdict + "\n")
-        streams.remark("wrote ${request.output}")
+        streams.remark("wrote $page")
         return report
     }
 

@@ -24,7 +24,9 @@ internal class ContactSheet(
     private val background: Int,
 ) {
     private val cells = arrayOfNulls<IntArray>(labels.size)
+    private val reasons = arrayOfNulls<String>(labels.size)
     private val scale = (cell.width / PIXELS_PER_SCALE).coerceIn(1, MAX_SCALE)
+    private val reasonScale = (scale + 1) / 2
     private val gap = GAP * scale
     private val labelHeight = (PixelFont.HEIGHT + 2 * LABEL_MARGIN) * scale
     private val pitchX = cell.width + gap
@@ -38,6 +40,11 @@ internal class ContactSheet(
 
     /** Whether a picture has arrived. */
     val isEmpty: Boolean get() = cells.all { it == null }
+
+    /** Sets why there is no picture for a cell, for which it is shown instead. */
+    fun fail(number: Int, reason: String) {
+        synchronized(cells) { reasons[number] = reason }
+    }
 
     /** Sets the picture of a cell: pixels in rows from the top. A cell without a picture says that it failed. */
     fun put(number: Int, argb: IntArray) {
@@ -74,15 +81,44 @@ internal class ContactSheet(
         } else if (argb != null) {
             argb.copyInto(row, x, y * cell.width, (y + 1) * cell.width)
         } else {
-            draw(FAILED, y - (cell.height - PixelFont.HEIGHT * scale) / 2, x, row)
+            drawFailure(number, y, x, row)
         }
     }
 
+    /** Draws row [y] of a cell without a picture: that it failed, and as much of the reason as there is room for. */
+    private fun drawFailure(number: Int, y: Int, x: Int, row: IntArray) {
+        val reason = wrapped(reasons[number].orEmpty())
+        val height = LINE * scale + LINE * reasonScale * reason.size
+        val below = y - (cell.height - height) / 2
+        if (below < LINE * scale) return draw(FAILED, below, x, row)
+        val line = (below - LINE * scale) / (LINE * reasonScale)
+        if (line !in reason.indices) return
+        draw(reason[line], (below - LINE * scale) % (LINE * reasonScale), x, row, reasonScale)
+    }
+
+    /** Returns the lines of [text] that fit into a cell, below the word above them. */
+    private fun wrapped(text: String): List<String> {
+        val most = cell.width / (PixelFont.ADVANCE * reasonScale)
+        val room = (cell.height - LINE * scale) / (LINE * reasonScale)
+        if (most < LEAST_LETTERS || room < 1) return emptyList()
+        val lines = ArrayList<String>()
+        for (word in text.split(' ', '\n').flatMap { it.chunked(most) }) {
+            val last = lines.lastOrNull()
+            if (last != null && last.length + 1 + word.length <= most) {
+                lines[lines.size - 1] = "$last $word"
+            } else {
+                lines += word
+            }
+        }
+        if (lines.size <= room) return lines
+        return lines.take(room - 1) + (lines[room - 1].take(most - DOTS.length) + DOTS)
+    }
+
     /** Draws row [y] of a text, in the middle of the columns from [x]: smaller, and at last shorter, until it fits. */
-    private fun draw(text: String, y: Int, x: Int, row: IntArray) {
-        val size = (scale downTo 1).firstOrNull { text.length * PixelFont.ADVANCE * it <= cell.width } ?: 1
-        val most = cell.width / (PixelFont.ADVANCE * size)
-        val shown = if (text.length <= most) text else text.take(maxOf(most - DOTS.length, 0)) + DOTS.take(most)
+    private fun draw(text: String, y: Int, x: Int, row: IntArray, most: Int = scale) {
+        val size = (most downTo 1).firstOrNull { text.length * PixelFont.ADVANCE * it <= cell.width } ?: 1
+        val room = cell.width / (PixelFont.ADVANCE * size)
+        val shown = if (text.length <= room) text else text.take(maxOf(room - DOTS.length, 0)) + DOTS.take(room)
         val letterRow = Math.floorDiv(y, size)
         if (letterRow !in 0 until PixelFont.HEIGHT) return
         val length = shown.length * PixelFont.ADVANCE * size
@@ -99,6 +135,12 @@ internal class ContactSheet(
         private const val PIXELS_PER_SCALE = 128
         private const val DOTS = ".."
         private const val FAILED = "failed"
+
+        /** Rows of a line of text. */
+        private const val LINE = PixelFont.HEIGHT + 2
+
+        /** Letters of a line in a cell that has room for a reason. */
+        private const val LEAST_LETTERS = 8
         private const val BLACK = 0xFF shl 24
         private const val WHITE = -1
 

@@ -1,13 +1,16 @@
 package dev.lazyz.cli.trace
 
 import dev.lazyz.Renderer
+import dev.lazyz.RowSink
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.output.Tally
 import dev.lazyz.cli.output.counted
+import dev.lazyz.cli.render.FanOut
 import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.scenes.writers.AlphaChannel
@@ -34,12 +37,14 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         val strategies = named.map { it.strategyFor(shot.frame) }
         for (strategy in strategies) MemoryNeed.check(strategy, shot.frame.region, kept = BYTES_PER_PIXEL)
         val picture = TracedPicture(shot.pixels)
+        val tally = Tally(shot.pixels.width, isHashed = false)
 
         // A film that is too large is refused before anything is recorded
         val isPage = request.output.toString().endsWith(PAGE, ignoreCase = true)
         val film = if (isPage) null else film(strategies.size, picture)
-        val orders = strategies.map { record(it, shot, picture) }
-        if (picture.covered.isEmpty) streams.nothingIsVisible()
+        val all = FanOut(listOf(picture, tally))
+        val orders = strategies.mapIndexed { number, it -> record(it, shot, if (number == 0) all else picture) }
+        request.blanks.report(tally.blank, streams)
 
         streams.progress("writing ${request.output} ...")
         if (film == null) {
@@ -60,7 +65,7 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
     private fun film(panels: Int, picture: TracedPicture) =
         Film(request.output, panels, picture, request.steps, request.framesPerSecond)
 
-    private fun record(strategy: Renderer, shot: Shot, picture: TracedPicture): ShadingOrder {
+    private fun record(strategy: Renderer, shot: Shot, picture: RowSink): ShadingOrder {
         streams.progress("rendering with ${strategy.id} ...")
         val recorder = ShadingOrder.Recorder(shot.frame, strategy.id)
         shot.observed(recorder).render(strategy, picture)

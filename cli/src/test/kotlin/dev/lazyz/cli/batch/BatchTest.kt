@@ -13,6 +13,7 @@ import dev.lazyz.world.Scene
 import java.awt.image.BufferedImage
 import java.nio.file.Path
 import javax.imageio.ImageIO
+import kotlin.io.path.createDirectories
 import kotlin.io.path.createDirectory
 import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
@@ -144,11 +145,31 @@ class BatchTest {
     }
 
     @Test
+    fun picturesAreWrittenIntoTheFoldersOfTheirInputs() {
+        val inputs = listOf("x", "y").map { folder.resolve("tree/$it").createDirectories().wedge("a.obj") }
+        render(folder.resolve("tree"), "-o", "{dir}/{stem}.png").done()
+        for (input in inputs) assertTrue(input.resolveSibling("a.png").exists())
+        render(folder.resolve("tree"), "-o", "$out/{dir}/{stem}.png").done()
+        assertTrue(Path.of("$out/${inputs[1].parent}/a.png").exists())
+        render("teapot", "-o", "$out/{dir}/{stem}.png").done()
+        assertTrue(out.resolve("teapot.png").exists())
+        render(*inputs.toTypedArray(), "-o", "$out/{stem}.png").mistake("two pictures", "add {dir} to -o")
+    }
+
+    @Test
     fun twoPicturesOfOneNameAreAMistakeBeforeAnythingIsRendered() {
         render("teapot", "city", "-o", "$out/x.png").mistake("x.png", "teapot", "city", "{stem}")
+        render("teapot", "city", "-o", "$out/").mistake("use -o '$out/{stem}.png'")
         render("teapot", "--views", "iso,top", "-o", "$out/{stem}.png").mistake("teapot, iso", "teapot, top", "{view}")
-        render("teapot", folder.wedge("teapot.obj"), "-o", "$out/{stem}.png").mistake("{index}")
+        render("teapot", folder.wedge("teapot.obj"), "-o", "$out/{stem}.png").mistake("{dir}")
+        render("teapot", "teapot", "-o", "$out/{stem}.png").mistake("{index}")
         assertFalse(out.exists())
+    }
+
+    @Test
+    fun wordsThatAreNoInputsButLookLikeOtherThingsAreExplained() {
+        render("800", "-o", "$out.png").mistake("a size is one word, such as --size 800x600")
+        render("a.png", "-o", "$out.png").mistake("write -o a.png")
     }
 
     @Test

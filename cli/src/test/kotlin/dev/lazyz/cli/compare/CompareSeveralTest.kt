@@ -158,7 +158,7 @@ class CompareSeveralTest {
     fun nothingVisibleIsReported() {
         val blank = folder.emptyModel()
         val run = compare(blank, "teapot").done()
-        assertEquals("ok       $blank: 0 primitives, nothing is visible", run.lines()[0])
+        assertEquals("ok       $blank: 0 primitives, nothing to see", run.lines()[0])
         assertTrue(run.text.endsWith("2 pictures, 1 of them blank\n"), run.text)
     }
 

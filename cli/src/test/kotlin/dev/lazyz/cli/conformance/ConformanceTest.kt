@@ -347,6 +347,17 @@ class ConformanceTest {
         val full = folder.resolve("full").apply { writeText("a file") }
         conformance("--strategy", "zbuffer", "--rule", ties, "--report", full).mistake("full")
         assertFalse(folder.resolve("full/report.html").exists())
+        for (name in listOf("a.pdf", "b.htm", "none/c.html")) {
+            zcli("conformance", "--strategy", "zbuffer", "--report", folder.resolve(name)).mistake(name)
+        }
+    }
+
+    /** As `-o` of `zcli report`. */
+    @Test
+    fun aReportCanBeAPageAlone() {
+        val page = folder.resolve("page.html")
+        judge("--strategy", "zbuffer", "--rule", ties, "--tries", "0.05", "--report", page).done()
+        assertTrue("</html>" in page.readText())
     }
 
     @Test
@@ -370,7 +381,7 @@ class ConformanceTest {
         val words = mapOf(
             "--explore" to null, "--tries" to "2", "--rule" to "5.2", "--waivers" to "none.txt", "--frames" to "none",
             "--verify" to "none.json", "--report" to report, "--deadline" to "3", "--in-process" to null,
-            "--quiet" to null, "--json" to null,
+            "--json" to null,
         )
         for ((option, value) in words) {
             zcli(*against, option, *listOfNotNull(value).toTypedArray()).mistake("$option has no effect with --against")

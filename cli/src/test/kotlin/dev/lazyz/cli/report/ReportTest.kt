@@ -237,7 +237,7 @@ class ReportTest {
     fun mistakesLeaveNoFile() {
         val wedge = folder.wedge()
         zcli("report", wedge).mistake("missing option --output")
-        zcli("report", wedge, "-o", folder.resolve("a.pdf")).mistake("-o must end in .html")
+        zcli("report", wedge, "-o", folder.resolve("a.pdf")).mistake("-o must be a page, NAME.html, or a folder")
         zcli("report", wedge, "-o", folder.resolve("no/a.html")).mistake("there is no folder")
         report(wedge, "--strategy", "lazy", "--strategy", "zbufer").mistake("did you mean 'zbuffer'?")
         report(wedge, "--repeat", "0").mistake("--repeat: must be in 1..1000: 0")
@@ -250,6 +250,16 @@ class ReportTest {
         val before = input.readText()
         zcli("report", input, "--format", "obj", "-o", input).mistake("-o would replace an input")
         assertEquals(before, input.readText())
+    }
+
+    /** As `--report` of `zcli conformance`. */
+    @Test
+    fun aFolderGetsThePage() {
+        val words = arrayOf("report", folder.wedge(), "--size", "8x8", "--repeat", "1", "--strategy", "lazy", "-o")
+        for (place in listOf(folder, folder.resolve("new/report-1.2"))) {
+            zcli(*words, place).done()
+            assertTrue("</html>" in place.resolve("report.html").readText(), "$place")
+        }
     }
 
     @Test

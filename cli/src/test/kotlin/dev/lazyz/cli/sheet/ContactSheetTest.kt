@@ -10,6 +10,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
@@ -71,10 +72,32 @@ class ContactSheetTest {
         val run = zcli("render", "teapot", bad, "--contact-sheet", "--size", "64x64", "-o", out)
         assertEquals(ExitCode.MISTAKE, run.code)
         assertTrue("1 of 2 inputs failed" in run.errors) { run.errors }
-        val cell = out.image.getSubimage(6 + 70, 6, 64, 64)
-        assertEquals(setOf(-1, 0xFF shl 24), cell.argb().toSet())
+        val cell = out.image.getSubimage(6 + 70, 6, 64, 64).argb()
+        assertEquals(setOf(-1, 0xFF shl 24), cell.toSet())
+
+        // Below the word is the reason
+        bad.writeText("")
+        assertEquals(ExitCode.MISTAKE, zcli("render", "teapot", bad, "--contact-sheet", "--size", "64", "-o", out).code)
+        assertNotEquals(cell, out.image.getSubimage(6 + 70, 6, 64, 64).argb())
         assertEquals(ExitCode.MISTAKE, zcli("render", bad, "--contact-sheet", "-o", folder.resolve("none.png")).code)
         assertFalse(folder.resolve("none.png").exists())
+    }
+
+    @Test
+    fun aReasonFillsItsCellAndNoMore() {
+        fun sheet(reason: String): List<List<Int>> {
+            val sheet = ContactSheet(ImageSize(60, 50), listOf("a", "b"), 1, -1)
+            sheet.put(1, IntArray(3000) { -1 })
+            sheet.fail(0, reason)
+            sheet.write(out)
+            return List(50) { y -> out.image.getSubimage(6, 6 + y, 60, 1).argb() }
+        }
+        fun inked(rows: List<List<Int>>): IntRange =
+            rows.indexOfFirst { 0xFF shl 24 in it }..rows.indexOfLast { 0xFF shl 24 in it }
+        // Lines of 11 rows: the word alone, with two lines, and with as many as there is room for
+        assertEquals(19..25, inked(sheet("")))
+        assertEquals(8..36, inked(sheet("is empty; check")))
+        assertEquals(3..42, inked(sheet("a very-long-word-without-spaces and more than fits")))
     }
 
     @Test
