@@ -184,7 +184,7 @@ class BuildsAgreeTest {
 
     @Test
     fun sharedTests() {
-        val maven = Regex("""<sourceDir>\$\{maven.multiModuleProjectDirectory}/(.*)</sourceDir>""")
+        val maven = Regex("""<sourceDir>\$\{project.parent.basedir}/(.*)</sourceDir>""")
         val gradle = Regex("""kotlin.srcDir\(rootProject.file\("(.*)"\)\)""").find(gradleRoot)!!.groupValues[1]
         assertEquals(maven.find(text("pom.xml"))!!.groupValues[1], gradle)
         assertTrue(root.resolve(gradle).exists(), gradle)
