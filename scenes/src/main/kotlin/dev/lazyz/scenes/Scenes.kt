@@ -182,7 +182,7 @@ public object Scenes {
     public fun formatOf(bytes: ByteArray): SceneFormat? = FormatSniffer.format(bytes)
 
     /**
-     * Reads an image file as a texture: PNG, JPEG, TIFF, BMP, GIF or WBMP. Texels are the sRGB codes of the file;
+     * Reads an image file as a texture: PNG, JPEG, TGA, TIFF, BMP, GIF or WBMP. Texels are the sRGB codes of the file;
      * colour profiles are ignored.
      *
      * @param limits limits on the number of texels and on memory

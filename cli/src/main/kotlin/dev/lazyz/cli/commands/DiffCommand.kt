@@ -27,7 +27,7 @@ import dev.lazyz.scenes.pictures.PictureDifference
 internal class DiffCommand(private val streams: Streams) : Command("diff") {
     private val expected by argument(
         "EXPECTED",
-        help = "The picture as it should be: a PNG, PPM, TIFF, BMP, GIF, WBMP or JPEG file",
+        help = "The picture as it should be: a PNG, PPM, TGA, TIFF, BMP, GIF, WBMP or JPEG file",
         completionCandidates = CompletionCandidates.Path,
     ).convert { fileOf(it) { message -> fail(message) } }
 
