@@ -72,8 +72,7 @@ internal class Source(
     fun warn(sentence: String): Unit = warn(sentence, "", "")
 
     /**
-     * Adds the warning [before] [subject] [after]. If there are several that differ only in their [subject], they become
-     * one.
+     * Adds the warning [before] [subject] [after]. Those that differ only in their [subject] become one.
      */
     fun warn(before: String, subject: String, after: String) {
         allWarnings.add(printable("$name: $before"), printable(subject), printable(after))
