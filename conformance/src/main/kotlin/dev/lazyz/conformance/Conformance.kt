@@ -12,6 +12,7 @@ import dev.lazyz.conformance.run.FramesException
 import dev.lazyz.conformance.run.Journal
 import dev.lazyz.conformance.run.LastWords
 import dev.lazyz.conformance.run.Late
+import dev.lazyz.conformance.run.Lateness
 import dev.lazyz.conformance.run.OwnFrames
 import dev.lazyz.conformance.run.RunUnderWay
 import dev.lazyz.conformance.run.Settings
@@ -72,8 +73,10 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     }
 
     /**
-     * Sets the deadline of each rendering, by default 20 seconds. A rule with a rendering that takes longer has timed
-     * out; after three such rules, the remaining rules are not run.
+     * Sets the deadline of each rendering, as processor time of its busiest thread; by default 20 seconds. A rule with a
+     * rendering that takes longer has timed out, also if no thread runs for as long. If ten times as long passes on the
+     * clock on the wall, the rule is inconclusive: the machine has too much other work. After three such rules, the
+     * remaining rules are not run.
      *
      * @throws IllegalArgumentException if [deadline] is not positive
      */
@@ -187,7 +190,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
         try {
             thread.call { StrategyInfo(renderer.get()) }
         } catch (late: Late) {
-            throw NotMadeException("making the renderer ${late.message}")
+            throw NotMadeException("making the renderer ${late.message}", late.lateness == Lateness.UNKNOWN)
         } finally {
             LastWords.isMaking = false
         }

@@ -3,6 +3,7 @@ package dev.lazyz.conformance
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.report.ConformanceReport
 import dev.lazyz.conformance.report.ReportJson
+import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.Waiver
 import dev.lazyz.conformance.results.Waivers
@@ -44,16 +45,19 @@ public class RecordedReport private constructor(
 
     /**
      * Returns a line for each rule that has a different outcome in [report], ordered by number; empty if there is none.
+     * A rule that is inconclusive in either has none: see [RuleOutcome.INCONCLUSIVE].
      */
     public fun differences(report: ConformanceReport): List<String> = report.results.mapNotNull { result ->
         val recorded = outcomes[result.rule.name]
         val actual = ReportJson.key(result.outcome)
-        if (recorded == actual) null else "${result.rule}: recorded ${recorded ?: "nothing"}, now $actual"
+        if (recorded == actual || INCONCLUSIVE in setOf(recorded, actual)) null else "${result.rule}: recorded ${recorded ?: "nothing"}, now $actual"
     }
 
     override fun toString(): String = "RecordedReport($strategy, seed $seed, tries $tries, ${outcomes.size} rules)"
 
     public companion object {
+        private val INCONCLUSIVE = ReportJson.key(RuleOutcome.INCONCLUSIVE)
+
         /**
          * Reads the file at [path].
          *

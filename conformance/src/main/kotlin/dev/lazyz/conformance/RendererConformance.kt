@@ -61,8 +61,9 @@ public abstract class RendererConformance : AllRules() {
         public const val SEED: String = SuiteProperties.SEED
 
         /**
-         * System property: deadline of a rendering in seconds, a positive decimal number; by default 20. A rule with a
-         * rendering that takes longer has timed out, and the next rule is run.
+         * System property: deadline of a rendering in seconds of processor time, a positive decimal number; by default
+         * 20. A rule with a rendering that takes longer has timed out, and the next rule is run. If ten times as long
+         * passes on the clock on the wall, the rule is inconclusive, which is an error, not a failure.
          */
         public const val DEADLINE: String = SuiteProperties.DEADLINE
 

@@ -2,12 +2,13 @@ package dev.lazyz.conformance
 
 import dev.lazyz.conformance.results.RuleListener
 import dev.lazyz.conformance.results.RuleOutcome
+import dev.lazyz.conformance.run.Deadline
 import dev.lazyz.conformance.run.Journal
 import dev.lazyz.conformance.run.JournalFollower
+import dev.lazyz.conformance.run.Lateness
 import dev.lazyz.conformance.run.Patience
 import dev.lazyz.conformance.run.Settings
 import dev.lazyz.conformance.run.Supervisor
-import dev.lazyz.conformance.run.TryThread
 import java.io.IOException
 import java.io.InputStream
 import java.nio.file.Files
@@ -19,8 +20,8 @@ import kotlin.concurrent.thread
 
 /**
  * Runs the suite in a separate process, so that a run survives whatever the renderer does to that process. If the
- * process exits, halts, crashes or hangs, the rule that was running has crashed or timed out, and a new process
- * continues with the rules that follow. After three such ends the remaining rules are not run.
+ * process exits, halts, crashes or hangs, the rule that was running has crashed or timed out, or is inconclusive, and a
+ * new process continues with the rules that follow. After three such ends the remaining rules are not run.
  *
  * The process is any program that runs [Conformance] with [Conformance.journal]. Its output is kept but not
  * interpreted, so it should write the report to a file. It ends when this process ends, even if this process is killed.
@@ -28,15 +29,18 @@ import kotlin.concurrent.thread
  *
  * @param command the command that starts the process: a program and its arguments
  * @param journal the journal file of the process; deleted before the run
- * @param deadline the deadline of a rendering, see [Conformance.deadline]; a process without progress for two deadlines
- *   plus 30 seconds is ended
+ * @param deadline the deadline of a rendering, see [Conformance.deadline]. A process that makes no progress is ended
+ *   after ten deadlines and 30 seconds, and the rule that was running is inconclusive; or after two deadlines and 30
+ *   seconds of processor time for each processor of the machine, and the rule has timed out
  */
 public class Supervision @JvmOverloads constructor(
     private val command: List<String>,
     private val journal: Path,
     deadline: Duration = Settings.USUAL_DEADLINE,
 ) {
-    private val patience = deadline.multipliedBy(2) + GRACE
+    private val patience = deadline.multipliedBy(Deadline.WALL) + GRACE
+    private val processorTime =
+        (deadline.multipliedBy(2) + GRACE).multipliedBy(Runtime.getRuntime().availableProcessors().toLong())
     private var listener = RuleListener { _, _, _ -> }
 
     /** Sets a listener that is called with the outcome of each rule, shortly after the rule has ended. */
@@ -59,7 +63,7 @@ public class Supervision @JvmOverloads constructor(
             val process = started()
             process.outputStream.close()
             val reader = thread(isDaemon = true, name = "lazyz-supervision") { keep(process.inputStream, printed) }
-            val isInTime = try {
+            val lateness = try {
                 awaitEnd(process, follower)
             } finally {
                 // Of a process that has ended, this would close the output before it is read
@@ -70,10 +74,14 @@ public class Supervision @JvmOverloads constructor(
             val text = synchronized(printed) { printed.toString() }
             follower.goOn()
             if (isDone()) return Outcome(code, text)
-            val silence = TryThread.seconds(patience)
-            val words = if (isInTime) "exit code $code" else "the process made no progress for $silence"
-            val outcome = if (isInTime) RuleOutcome.CRASHED else RuleOutcome.TIMED_OUT
-            if (!Journal.ended(journal, words, outcome)) throw EndedEarlyException(words, text)
+            val (outcome, words) = when (lateness) {
+                null -> RuleOutcome.CRASHED to "exit code $code"
+                Lateness.UNKNOWN -> RuleOutcome.INCONCLUSIVE to "$NO_PROGRESS ${Deadline.seconds(patience)}"
+                else -> RuleOutcome.TIMED_OUT to "$NO_PROGRESS ${Deadline.seconds(processorTime)} of processor time"
+            }
+            if (!Journal.ended(journal, words, outcome)) {
+                throw EndedEarlyException(words, text, outcome == RuleOutcome.INCONCLUSIVE)
+            }
             follower.goOn()
         }
     }
@@ -85,19 +93,26 @@ public class Supervision @JvmOverloads constructor(
     }
 
     /**
-     * Waits for the process to end. Returns false if its journal does not change for too long; a slow process is fine.
+     * Waits for the process to end. Returns why it is not awaited further if its journal does not change for too long; a
+     * slow process is fine.
      */
-    private fun awaitEnd(process: Process, follower: JournalFollower): Boolean {
+    private fun awaitEnd(process: Process, follower: JournalFollower): Lateness? {
         var state: Pair<Long, FileTime>? = null
         val silence = Patience(patience)
+        fun used() = process.info().totalCpuDuration().orElse(Duration.ZERO)
+        var before = used()
         while (!process.waitFor(MOMENT, TimeUnit.MILLISECONDS)) {
             val now = if (Files.exists(journal)) Files.size(journal) to Files.getLastModifiedTime(journal) else null
-            if (now != state) silence.progress()
+            if (now != state) {
+                silence.progress()
+                before = used()
+            }
             state = now
             follower.goOn()
-            if (silence.left() <= 0) return false
+            if (used() - before >= processorTime) return Lateness.BUSY
+            if (silence.left() <= 0) return Lateness.UNKNOWN
         }
-        return true
+        return null
     }
 
     /** Keeps the first part of the output, and reads and discards the rest, so that the process does not block. */
@@ -122,6 +137,7 @@ public class Supervision @JvmOverloads constructor(
 
     private companion object {
         val GRACE: Duration = Duration.ofSeconds(30)
+        const val NO_PROGRESS = "the process made no progress for"
         const val MOMENT = 100L
 
         /** Milliseconds for the output of a process that has ended. Its own children may keep the output open. */
@@ -135,6 +151,10 @@ public class Supervision @JvmOverloads constructor(
  * Thrown if a process ended before the first rule or after the last, so that no rule can be blamed.
  *
  * @property printed what the process wrote to standard output and standard error
+ * @property isInconclusive whether the machine may only have been too busy
  */
-public class EndedEarlyException internal constructor(words: String, public val printed: String) :
-    RuntimeException("the process ended while no rule was tried: $words")
+public class EndedEarlyException internal constructor(
+    words: String,
+    public val printed: String,
+    public val isInconclusive: Boolean,
+) : RuntimeException("the process ended while no rule was tried: $words")

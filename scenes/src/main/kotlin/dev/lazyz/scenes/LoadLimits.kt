@@ -25,8 +25,8 @@ public enum class ReferencePolicy {
  * @property vertices maximum total number of vertices, including points
  * @property texels maximum total number of texture pixels
  * @property nesting maximum depth of nested lists and objects in a scene file, glTF or 3MF, 1..1000
- * @property time maximum time for reading. It is checked between steps of the work, so a call can take slightly
- *   longer. Null, the default, means no limit
+ * @property time maximum time for reading, on the clock on the wall. It is checked between steps of the work, so a call
+ *   can take slightly longer. Null, the default, means no limit
  * @property references which files a model can refer to
  * @property memory the memory that Java may use while the model is read, in bytes, to which files and decoded data must
  *   be in proportion. Null, the default, means the maximum Java heap size, which also is the most that counts

@@ -94,7 +94,11 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private val fuzzing by FuzzingOptions()
 
-    private val deadline by option("--deadline", help = "Seconds until a rendering times out; default: 20")
+    private val deadline by option(
+        "--deadline",
+        help = "Seconds of processor time until a rendering times out; default: 20. If ten times as long passes on the " +
+            "wall, the rule is inconclusive: the machine is too busy",
+    )
         .number("S", LEAST_DEADLINE..MOST_DEADLINE, "")
 
     private val isInProcess by option(
@@ -124,7 +128,8 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     override fun help(context: Context): String =
         "Tests a built-in or custom strategy against the rules of the contract.\n\n" +
-            "Exit code 1: it does not conform, pictures differ, or --verify finds a different outcome."
+            "Exit code 1: it does not conform, pictures differ, or --verify finds a different outcome. " +
+            "Exit code 75: the machine was too busy to tell; run it again, or with a longer --deadline."
 
     override fun helpEpilog(context: Context): String = HelpText.examples(
         "zcli conformance --strategy my-id --classpath my.jar --report report" to "your own strategy, and a report",
@@ -190,15 +195,16 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         print(words.text(report))
         words.code(report)
     } catch (hanging: NotMadeException) {
-        doesNotConform(hanging)
+        noReport(hanging, hanging.isInconclusive)
     }
 
     private fun progressListener() =
         if (isQuiet) RuleListener { _, _, _ -> } else ConformanceWords.progressListener(streams)
 
-    private fun doesNotConform(why: Exception): Int {
-        streams.error("${strategy ?: recorded?.strategy} does NOT conform: ${why.message}")
-        return ExitCode.DIFFERENT
+    private fun noReport(why: Exception, isInconclusive: Boolean): Int {
+        val verdict = if (isInconclusive) "may conform, this run is inconclusive" else "does NOT conform"
+        streams.error("${strategy ?: recorded?.strategy} $verdict: ${why.message}")
+        return if (isInconclusive) ExitCode.INCONCLUSIVE else ExitCode.DIFFERENT
     }
 
     private fun fuzz(): Int = StrategyPath(classPath).use { path ->
@@ -232,7 +238,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
             ConformanceProcess.run(args, seed, seconds(deadline ?: USUAL_DEADLINE), progressListener())
         } catch (ended: EndedEarlyException) {
             streams.note(ended.printed)
-            return doesNotConform(ended)
+            return noReport(ended, ended.isInconclusive)
         }
         answer.report?.let { streams.print(it) }
         if (answer.messages.isNotBlank()) streams.note(answer.messages.trimEnd() + "\n")

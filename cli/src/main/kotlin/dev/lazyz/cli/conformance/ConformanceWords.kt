@@ -6,6 +6,7 @@ import dev.lazyz.cli.output.counted
 import dev.lazyz.conformance.RecordedReport
 import dev.lazyz.conformance.report.ConformanceReport
 import dev.lazyz.conformance.results.RuleListener
+import dev.lazyz.conformance.results.RuleOutcome
 import java.util.Locale
 
 /** The text and exit code of `zcli conformance` for a report, compared with [recorded] unless that is null. */
@@ -17,6 +18,11 @@ internal class ConformanceWords(private val recorded: RecordedReport?, private v
     private fun comparison(recorded: RecordedReport, report: ConformanceReport): String {
         val differences = recorded.differences(report)
         val rules = counted(report.results.size.toLong(), "rule")
+        val open = report.withOutcome(RuleOutcome.INCONCLUSIVE)
+        if (differences.isEmpty() && open.isNotEmpty()) {
+            return "inconclusive: ${report.strategy.id}, $rules, no different outcome\n" +
+                open.joinToString("") { "  ${it.rule}: ${it.message.lineSequence().first()}\n" }
+        }
         if (differences.isEmpty()) return "verified: ${report.strategy.id}, $rules, the same outcomes\n"
         return "NOT verified: ${report.strategy.id}, $rules, ${differences.size} with a different outcome\n" +
             differences.joinToString("") { "  $it\n" }
@@ -24,8 +30,12 @@ internal class ConformanceWords(private val recorded: RecordedReport?, private v
 
     /** Returns the exit code. */
     fun code(report: ConformanceReport): Int {
-        val isGood = recorded?.let { it.differences(report).isEmpty() } ?: report.isConformant
-        return if (isGood) ExitCode.DONE else ExitCode.DIFFERENT
+        val isWrong = recorded?.let { it.differences(report).isNotEmpty() } ?: report.results.any { it.outcome.isFailure }
+        return when {
+            isWrong -> ExitCode.DIFFERENT
+            report.withOutcome(RuleOutcome.INCONCLUSIVE).isNotEmpty() -> ExitCode.INCONCLUSIVE
+            else -> ExitCode.DONE
+        }
     }
 
     companion object {

@@ -46,6 +46,7 @@ internal class Subject(
     val input: String,
     val format: SceneFormat?,
     val loading: LoadOptions,
+    val timeLimit: Duration?,
     val up: UpAxis?,
     val size: ImageSize?,
     val region: Region?,
@@ -67,9 +68,6 @@ internal class Subject(
 ) {
     /** Whether no surface has smooth normals. */
     val hasFaceNormals: Boolean get() = shading == Shading.FLAT || shading == Shading.CONSTANT
-
-    /** How long reading and rendering may take, or null. */
-    val timeLimit: Duration? get() = loading.limits.time
 
     /** Whether an option changes the materials. */
     val changesMaterials: Boolean get() = shading != null || mipFilter != null

@@ -38,8 +38,12 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
 
     private val seconds by option(
         "--max-seconds",
-        help = "Maximum time for reading and rendering an input, 0..1000000; default: no limit",
+        help = "Maximum processor time for reading and rendering an input, 0..1000000; on the wall, ten times as long; " +
+            "default: no limit",
     ).number("SECONDS", 0.0..1e6, " seconds")
+
+    /** The most processor time for an input, from reading to the last picture; null without a limit. */
+    val time: Duration? get() = seconds?.let { Duration.ofMillis(ceil(it * MILLISECONDS).toLong()) }
 
     /** The option that was given of those that have no effect if a model is read part by part, or null. */
     val wholeOption: String? get() = decoded?.let { "--max-decoded" }
@@ -51,7 +55,6 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
         vertices = vertices ?: Long.MAX_VALUE,
         texels = texels ?: Long.MAX_VALUE,
         nesting = nesting ?: LoadLimits.DEFAULT_NESTING,
-        time = seconds?.let { Duration.ofMillis(ceil(it * MILLISECONDS).toLong()) },
         spoolBytes = spoolBytes,
         references = if (isOutsideAllowed) ReferencePolicy.ANYWHERE else ReferencePolicy.WITHIN_FOLDER,
     )

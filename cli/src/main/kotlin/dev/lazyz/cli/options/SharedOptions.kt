@@ -54,6 +54,7 @@ internal fun subject(
         input = input,
         format = reading.format,
         loading = LoadOptions(loadLimits, reading.animationTime),
+        timeLimit = limits.time,
         up = reading.up,
         size = picture.size ?: usualSize,
         region = picture.region,

@@ -12,4 +12,7 @@ internal object ExitCode {
 
     /** A bug in zcli: `EX_SOFTWARE` of sysexits.h. */
     const val BUG = 70
+
+    /** The machine was too busy to tell whether a strategy conforms: `EX_TEMPFAIL` of sysexits.h. */
+    const val INCONCLUSIVE = 75
 }

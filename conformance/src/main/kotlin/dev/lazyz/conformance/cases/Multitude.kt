@@ -16,10 +16,10 @@ import dev.lazyz.conformance.oracle.BlendedSample
  * all rows are equal. Immutable and thread safe.
  *
  * @param combs the primitives, in the order of submission, at different depths
- * @param what name of the repeated item, for messages
+ * @param code the call of `SuiteFrames` that returns the frame
  */
-internal class Multitude private constructor(width: Int, height: Int, private val combs: List<Comb>, what: String) {
-    val case: FrameCase = FrameCase(Frame(Raster(width, height), combs), "/* $what, on $width x $height samples */")
+internal class Multitude private constructor(width: Int, height: Int, private val combs: List<Comb>, code: String) {
+    val case: FrameCase = FrameCase(Frame(Raster(width, height), combs), "SuiteFrames.$code")
 
     /** The right picture. */
     val image: Image by lazy {
@@ -76,7 +76,9 @@ internal class Multitude private constructor(width: Int, height: Int, private va
         private const val ROW = 2048
         private const val ROW_LAYERS = 700
         private const val SHARE = 37
+        private const val SORTED = 40_000
         private const val DISTANCE = 1 shl 16
+        private const val NEAR = 1 shl 14
 
         /**
          * A primitive of more than 2^14 spans in a row, before one that covers all of it. One is enough: a correct
@@ -85,7 +87,7 @@ internal class Multitude private constructor(width: Int, height: Int, private va
         fun ofSpans(): Multitude {
             val comb = Comb(WIDE, 1, 1, 2, DISTANCE, Rgba(0.8f, 0.2f, 0.5f), isTranslucent = false)
             val back = Comb(WIDE, 1, 0, 1, 2 * DISTANCE, Rgba(0.2f, 0.6f, 0.5f), isTranslucent = false)
-            return Multitude(WIDE, 1, listOf(comb, back), "a primitive of more than 16,384 spans in a row")
+            return Multitude(WIDE, 1, listOf(comb, back), "manySpans()")
         }
 
         /** More than a million fragments in one row, of primitives that begin and end at different columns. */
@@ -96,7 +98,20 @@ internal class Multitude private constructor(width: Int, height: Int, private va
                 val end = ROW - layer / 2
                 Comb(end, 1, layer, 1, (ROW_LAYERS - layer) * DISTANCE, color, isTranslucent = false)
             }
-            return Multitude(ROW, 1, combs, "$ROW_LAYERS primitives, most of them in each column of a row")
+            return Multitude(ROW, 1, combs, "longRow()")
+        }
+
+        /**
+         * Many fragments at each of two samples, submitted in the order of their depths, or in the reverse order
+         * [fromFar]. That is the worst order for some ways of sorting.
+         */
+        fun ofSorted(fromFar: Boolean, isTranslucent: Boolean): Multitude {
+            val combs = List(SORTED) { i ->
+                val layer = if (fromFar) SORTED - i else i
+                val part = layer / SORTED.toFloat()
+                Comb(2, 1, 0, 1, (layer + 1) * NEAR, Rgba(part, 1f - part, 0.5f, 1f / SORTED), isTranslucent)
+            }
+            return Multitude(2, 1, combs, "sorted($fromFar, $isTranslucent)")
         }
 
         /** More than a million fragments of thin layers, whose order of submission is not that of depth. */
@@ -107,7 +122,7 @@ internal class Multitude private constructor(width: Int, height: Int, private va
                 val color = Rgba(part, 1f - part, 0.5f, 1f / LAYERS)
                 Comb(SIDE, SIDE, 0, 1, (layer + 1) * DISTANCE, color, isTranslucent = true)
             }
-            return Multitude(SIDE, SIDE, combs, "$LAYERS thin layers")
+            return Multitude(SIDE, SIDE, combs, "thinLayers()")
         }
     }
 }

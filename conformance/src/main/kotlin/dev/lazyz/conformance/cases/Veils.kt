@@ -38,7 +38,7 @@ internal fun veils(salt: Long): FrameCase {
     val random = Random(salt)
     val samples = List(SIDE * SIDE) { layers(random) }
     val veils = List(LAYERS) { layer -> Veil(SIDE, (layer + 1) * DISTANCE, samples.map { it[layer] }) }
-    return FrameCase(Frame(Raster(SIDE, SIDE), veils.shuffled(random)), "/* $LAYERS translucent layers, seed $salt */")
+    return FrameCase(Frame(Raster(SIDE, SIDE), veils.shuffled(random)), "SuiteFrames.veils(${salt}L)")
 }
 
 private const val SIDE = 16

@@ -44,7 +44,9 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
     /** Fails unless the rows of the frame's region were delivered from top to bottom, each once. */
     fun rowsInOrder(): Judgement = apply {
         val expected = (case.frame.region.rowStart until case.frame.region.rowEnd).toList()
-        if (rendering.rows != expected) fail("rows arrived as ${rendering.rows}, not as $expected")
+        if (rendering.rows == expected) return@apply
+        val words = "rows arrived as ${rendering.rows}, not as $expected"
+        throw violation(words, rendering.image, rendering.image, null, areRowsWrong = true)
     }
 
     /** Fails with the message [what]. */
@@ -57,8 +59,18 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
     fun fail(lead: String, difference: Difference): Nothing =
         throw violation("$lead$difference", difference.expected, difference.actual, null)
 
-    private fun violation(what: String, expected: Image?, actual: Image?, cause: Throwable?) =
-        Violation(message(what), case, expected, actual, cause, isConfigured = how.isNotEmpty(), isAgain = isAgain)
+    private fun violation(
+        what: String,
+        expected: Image?,
+        actual: Image?,
+        cause: Throwable?,
+        areRowsWrong: Boolean = false,
+    ) = Violation(
+        message(what), case, expected, actual, cause,
+        isConfigured = how.isNotEmpty(),
+        isAgain = isAgain,
+        areRowsWrong = areRowsWrong,
+    )
 
     private fun message(what: String): String =
         "${renderer.id}${if (how.isEmpty()) "" else " with $how"}: $what\nin\n$case"
@@ -66,7 +78,13 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
     private fun <T> attempt(block: () -> T): T = try {
         block()
     } catch (e: Throwable) {
-        throw violation("threw $e", null, null, e)
+        val where = if (e is Error) e.stackTrace.take(MOST_CALLS).joinToString("") { "\n    at $it" } else ""
+        throw violation("threw $e$where", null, null, e)
+    }
+
+    private companion object {
+        /** Calls that are enough to find an error, or the recursion that caused it. */
+        const val MOST_CALLS = 6
     }
 }
 

@@ -16,12 +16,17 @@ internal class Rendering private constructor(val image: Image, val counters: Cou
 
         /** Renders [frame] row by row. Exceptions of the renderer are passed on. */
         fun of(renderer: Renderer, frame: Frame): Rendering {
-            TryUnderWay.current?.goesOn()
             val recorder = Recorder(frame.region)
-            val counters = renderer.render(frame, recorder)
+            val counters = renderer.inTime(frame, recorder)
             return Rendering(recorder.image(counters), counters, recorder.rows)
         }
     }
+}
+
+/** Renders [frame] with the whole time of a deadline, however much of it the try has used before. */
+internal fun Renderer.inTime(frame: Frame, sink: RowSink): Counters {
+    TryUnderWay.current?.goesOn()
+    return render(frame, sink)
 }
 
 /**

@@ -13,6 +13,8 @@ import dev.lazyz.conformance.cases.FrameCase
  * @param actual the renderer's picture, or null if there is none
  * @param isConfigured whether the renderer was configured with options
  * @param isAgain whether the same renderer had rendered another frame before, in the same try
+ * @param areRowsWrong whether rows came in another order, or not each once
+ * @param isPlain whether the message is the whole cause, however many rules are broken by it
  */
 internal class Violation(
     message: String,
@@ -22,13 +24,25 @@ internal class Violation(
     cause: Throwable? = null,
     val isConfigured: Boolean = false,
     val isAgain: Boolean = false,
+    val areRowsWrong: Boolean = false,
+    val isPlain: Boolean = false,
 ) : AssertionError(message, cause)
 
-/** Thrown when a try did not end before its deadline. [case] is the frame that was being rendered, if any. */
-internal class TimedOut(message: String, val case: FrameCase?) : AssertionError(message)
+/**
+ * Thrown when a try did not end before its deadline. [case] is the frame that was being rendered, if any, and
+ * [isAsleep] whether it was waiting, not running.
+ */
+internal class TimedOut(message: String, val case: FrameCase?, val isAsleep: Boolean = false) : AssertionError(message)
+
+/** Thrown when a try was given up, although it may have been in time: the machine was too busy to tell. No failure. */
+internal class Inconclusive(message: String) : RuntimeException(message)
 
 /** A process of an earlier part of the run ended during a try. */
 internal class ProcessEnded(message: String) : AssertionError(message)
+
+/** Returns the error with which the renderer crashed if [thrown] ended a try; null if it did not crash. */
+internal fun crash(thrown: Throwable): Error? =
+    if (thrown is AssertionError) (thrown as? Violation)?.cause as? Error else thrown as? Error
 
 /** Ends a rule that does not apply, for this [reason]. Reported, but not a failure. */
 internal class NotDeclared(reason: String) : RuntimeException(reason)

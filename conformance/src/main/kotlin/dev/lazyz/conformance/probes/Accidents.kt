@@ -14,6 +14,7 @@ import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import java.io.IOException
 import java.util.concurrent.CancellationException
@@ -110,7 +111,7 @@ internal fun failsWithItsSelector(renderer: Renderer, case: FrameCase, patience:
         Selector.nearest().select(it)
     }
     val configured = renderer.configured(RenderOptions(selector = selector))
-    val thrown = answer { configured.render(case.frame) { _, _, _, _ -> } }
+    val thrown = answer { configured.inTime(case.frame) { _, _, _, _ -> } }
     val expected = if (left.get() < 0) planted else null
     changed(expected, thrown)?.let { Judgement(renderer, case).fail("the selector throws $it", thrown) }
 }

@@ -7,6 +7,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.Confetti
 import dev.lazyz.conformance.frames.Frames
 import dev.lazyz.conformance.judgement.TryUnderWay
+import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.world.FrameBuilder
 import java.io.ByteArrayOutputStream
 import java.io.OutputStream
@@ -15,15 +16,27 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Properties
 import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.FutureTask
 
 // Checks for side effects of renderings. Other threads of the process may print, and other processes may create files.
 // Therefore only output of the renderer's own threads counts, and only files that appear with each rendering.
 
 /**
  * Fails if making a renderer and rendering a few frames, one with many layers, leaves output, changed global state,
- * threads or files.
+ * threads or files. The caller's thread is no daemon, because a new thread is a daemon only if its parent is one.
  */
 internal fun leavesNothingBehind(make: () -> Renderer) {
+    val task = FutureTask { leavesNothingBehindHere(make) }
+    Thread(task, "lazyz-no-daemon").apply { isDaemon = false }.start()
+    try {
+        task.get()
+    } catch (e: ExecutionException) {
+        throw e.cause ?: e
+    }
+}
+
+private fun leavesNothingBehindHere(make: () -> Renderer) {
     val renderer = make()
     fun render() {
         renderAll(renderer, smallFrames + largeFrames)
@@ -64,7 +77,7 @@ internal fun leavesNothingBehind(make: () -> Renderer) {
 internal fun renderAll(renderer: Renderer, frames: List<Frame>) {
     for (frame in frames) {
         TryUnderWay.current?.goesOn()
-        for (way in renderer.ways()) way.render(frame) { _, _, _, _ -> }
+        for (way in renderer.ways()) way.inTime(frame) { _, _, _, _ -> }
     }
 }
 
@@ -118,7 +131,8 @@ private fun threadsBeyond(before: Set<Thread>): String? {
     }
 }
 
-private const val PATIENCE_NANOSECONDS = 300_000_000L
+/** Long enough for threads that end, also on a busy machine. */
+private const val PATIENCE_NANOSECONDS = 5_000_000_000L
 
 /** State of the whole process that no mark can replace meanwhile, see [settingChangedBy]. */
 private class GlobalState {

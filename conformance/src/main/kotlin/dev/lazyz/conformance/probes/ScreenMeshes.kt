@@ -65,6 +65,18 @@ internal fun specks(salt: Long): FrameCase {
     return screenMesh(Raster(SIDE, SIDE), triangles)
 }
 
+/** A mesh of more than four thousand triangles within one tile, of which each covers one sample, mostly a visible one. */
+internal fun crowdedTile(salt: Long): FrameCase {
+    val random = Random(salt)
+    val places = List(TILE * TILE) { it } + List(HIDDEN) { random.nextInt(TILE * TILE) }
+    val triangles = places.shuffled(random).map { place ->
+        val (x, y) = listOf(place % TILE, place / TILE).map { it.toFloat() }
+        val z = random.nextFloat()
+        listOf(x, y, z, x + ONE_SAMPLE, y, z, x, y + ONE_SAMPLE, z)
+    }
+    return screenMesh(Raster(TILE, TILE), triangles)
+}
+
 /** Returns a triangle with its right angle at ([x], [y]), whose short sides have [size] samples, at the depth [z]. */
 internal fun triangle(x: Int, y: Int, size: Int, z: Float): List<Float> =
     listOf(x, y, z, x + size, y, z, x, y + size, z).map { it.toFloat() }
@@ -122,7 +134,7 @@ internal fun surfacesOfOneShader(salt: Long): FrameCase {
     repeat(SURFACES) { builder.add(someSurface(random, Material(shader = shader))) }
     val scene = builder.build()
     // Without the scene: a scene file cannot express the shader
-    return FrameCase(scene.frame(FEW, FEW), "surfacesOfOneShader(${salt}L)")
+    return FrameCase(scene.frame(FEW, FEW), "SuiteFrames.surfacesOfOneShader(${salt}L)")
 }
 
 private fun someSurface(random: Random, material: Material): Surface {
@@ -174,7 +186,7 @@ internal fun textured(salt: Long): FrameCase {
     val eye = Vector3d(-1.0, 0.5 + random.nextDouble(), 2.0)
     builder.viewpoint(Camera.perspective(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 60.0, 0.1, 100.0))
     val scene = builder.build()
-    return FrameCase(scene.frame(FEW, FEW), "textured(${salt}L)", scene)
+    return FrameCase(scene.frame(FEW, FEW), "SuiteFrames.textured(${salt}L)", scene)
 }
 
 /** Returns a mesh of [cells] x [cells] x 2 triangles, 2 units wide, whose heights and texture are random. */
@@ -211,6 +223,12 @@ private const val FAR = 6
 private const val EDGES = 16
 private const val SPECKS = 60
 private const val SURFACES = 24
+
+private const val TILE = 64
+private const val HIDDEN = 200
+
+/** Side of a triangle that covers the sample at its right angle, and not those beside and below it. */
+private const val ONE_SAMPLE = 1.5f
 
 /** Greatest number of triangles of a mesh. */
 private const val MOST_OF_A_MESH = 40

@@ -4,6 +4,7 @@ import dev.lazyz.Capability
 import dev.lazyz.Coherence
 import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
+import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
@@ -13,6 +14,7 @@ import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.geometry.Box
 import dev.lazyz.world.Camera
@@ -44,6 +46,17 @@ internal fun optionsForStreams(salt: Long): RenderOptions {
  * some meshes are translucent.
  */
 internal fun streamedIsTheSame(renderer: Renderer, salt: Long) {
+    val canBlend = Capability.TRANSPARENCY in renderer.capabilities
+    val (frame, same) = streamed(salt, canBlend)
+    val refused = answer { renderer.inTime(frame) { _, _, _, _ -> } }
+    if (refused is IllegalArgumentException) return
+    val expected = Rendering.of(ReferenceRenderer(), same).image
+    Judgement(renderer, FrameCase(frame, "SuiteFrames.streamed(${salt}L, $canBlend)"), "streamed meshes")
+        .equalsPicture(expected)
+}
+
+/** Returns a streamed frame, and the same frame in memory. */
+internal fun streamed(salt: Long, canBlend: Boolean): Pair<Frame, Frame> {
     val random = Random(salt)
     val convention = DepthConvention.entries[random.nextInt(DepthConvention.entries.size)]
     val test = DepthTest.entries[random.nextInt(DepthTest.entries.size)]
@@ -53,7 +66,7 @@ internal fun streamedIsTheSame(renderer: Renderer, salt: Long) {
     val parts = List(1 + random.nextInt(MOST_MESHES)) {
         List(1 + random.nextInt(1 + random.nextInt(MOST_PARTS))) { part(raster, random) }
     }
-    val isBlending = Capability.TRANSPARENCY in renderer.capabilities && random.nextBoolean()
+    val isBlending = canBlend && random.nextBoolean()
     val materials = parts.map {
         val color = Rgba(random.nextFloat(), random.nextFloat(), random.nextFloat(), random.nextFloat())
         Material(color).withAlphaMode(if (isBlending && random.nextBoolean()) AlphaMode.BLEND else AlphaMode.OPAQUE)
@@ -66,12 +79,7 @@ internal fun streamedIsTheSame(renderer: Renderer, salt: Long) {
     val streamed = scene { mesh, material -> add(StreamedMesh(Parts(mesh), material)) }
     val all = streamed.frame(raster)
     val frame = if (random.nextBoolean()) all else FrameCase(all, "").withinAny(random).frame
-    val refused = answer { renderer.render(frame) { _, _, _, _ -> } }
-    if (refused is IllegalArgumentException) return
-    val expected = Rendering.of(ReferenceRenderer(), whole.frame(raster).within(frame.region)).image
-    val code = "/* ${parts.size} streamed meshes of ${parts.map { it.size }} parts, seed $salt, " +
-        "on $raster, ${frame.region} */"
-    Judgement(renderer, FrameCase(frame, code), "streamed meshes").equalsPicture(expected)
+    return frame to whole.frame(raster).within(frame.region)
 }
 
 /** Bytes of a few rows of such a picture. */

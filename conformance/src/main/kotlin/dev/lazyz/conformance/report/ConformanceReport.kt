@@ -61,8 +61,12 @@ public class ConformanceReport internal constructor(
         diagnosis.causes.indexOfFirst { it.rule == result.rule }.let { if (it < 0) Int.MAX_VALUE else it }
     }
 
-    /** Whether no rule's outcome is a failure. */
-    public val isConformant: Boolean get() = results.none { it.outcome.isFailure }
+    /** Whether no rule's outcome is a failure, and none is inconclusive. */
+    public val isConformant: Boolean get() = results.none { it.outcome.isFailure } && !isInconclusive
+
+    /** Whether no rule's outcome is a failure, but some are inconclusive: the run neither proves nor disproves it. */
+    public val isInconclusive: Boolean
+        get() = results.none { it.outcome.isFailure } && withOutcome(RuleOutcome.INCONCLUSIVE).isNotEmpty()
 
     /** Returns the results with the given [outcome]. */
     public fun withOutcome(outcome: RuleOutcome): List<RuleResult> = results.filter { it.outcome == outcome }

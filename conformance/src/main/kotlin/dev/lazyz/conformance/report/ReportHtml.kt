@@ -17,11 +17,16 @@ internal class ReportHtml(private val report: ConformanceReport) {
         appendLine("""<meta name="viewport" content="width=device-width, initial-scale=1">""")
         appendLine("<style>$STYLE</style></head><body>")
         appendLine("<h1>$title</h1>")
-        val verdict = if (report.isConformant) "good" else "bad"
+        val verdict = when {
+            report.isConformant -> "good"
+            report.isInconclusive -> "note"
+            else -> "bad"
+        }
         appendLine("""<p class="$verdict">${escaped(ReportText(report).verdict())}</p>""")
         diagnosis()
         waivers()
         failures("Failures") { it.isFailure || it == RuleOutcome.WAIVED }
+        failures("Inconclusive") { it == RuleOutcome.INCONCLUSIVE }
         failures("Not followed") { it == RuleOutcome.NOT_FOLLOWED }
         facts()
         rules()
@@ -130,7 +135,7 @@ internal class ReportHtml(private val report: ConformanceReport) {
     }
 
     /** Whether the page has a section about the rule. */
-    private fun isDetailed(result: RuleResult): Boolean = result.outcome.isFailure || result.failure != null
+    private fun isDetailed(result: RuleResult): Boolean = result.outcome.isDetailed || result.failure != null
 
     private fun link(result: RuleResult): String =
         """<a href="#${result.rule.name}">${escaped(result.rule.name)}</a>"""

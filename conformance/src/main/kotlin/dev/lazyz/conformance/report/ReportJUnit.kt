@@ -10,10 +10,11 @@ import java.util.Locale
 internal class ReportJUnit(private val report: ConformanceReport) {
     fun text(): String = buildString {
         val failures = report.results.count { it.outcome.isFailure }
+        val errors = report.withOutcome(RuleOutcome.INCONCLUSIVE).size
         val skipped = report.results.count { isSkipped(it) }
         appendLine("""<?xml version="1.0" encoding="UTF-8"?>""")
         appendLine(
-            """<testsuite name="${suite()}" tests="${report.results.size}" failures="$failures" errors="0" """ +
+            """<testsuite name="${suite()}" tests="${report.results.size}" failures="$failures" errors="$errors" """ +
                 """skipped="$skipped" time="${seconds(report.milliseconds)}">""",
         )
         properties()
@@ -45,11 +46,12 @@ internal class ReportJUnit(private val report: ConformanceReport) {
         append("""  <testcase classname="${suite()}" name="${escaped(result.rule.name)}" """)
         append("""time="${seconds(result.milliseconds)}"""")
         when {
-            result.outcome.isFailure -> {
+            result.outcome.isFailure || result.outcome == RuleOutcome.INCONCLUSIVE -> {
+                val element = if (result.outcome.isFailure) "failure" else "error"
                 appendLine(">")
-                append("""    <failure type="${result.outcome.words}" """)
+                append("""    <$element type="${result.outcome.words}" """)
                 append("""message="${escaped(result.message.lineSequence().first())}">""")
-                appendLine("${escaped(details(result))}</failure>")
+                appendLine("${escaped(details(result))}</$element>")
                 appendLine("  </testcase>")
             }
 
@@ -74,9 +76,9 @@ internal class ReportJUnit(private val report: ConformanceReport) {
         "reproduce: ${report.commandFor(result.rule)}",
     ).joinToString("\n")
 
-    /** Neither passed nor failed. */
-    private fun isSkipped(result: RuleResult): Boolean =
-        !result.outcome.isFailure && result.outcome != RuleOutcome.PASSED
+    /** Neither passed nor failed, for a known reason. */
+    private fun isSkipped(result: RuleResult): Boolean = !result.outcome.isFailure &&
+        result.outcome != RuleOutcome.PASSED && result.outcome != RuleOutcome.INCONCLUSIVE
 
     private fun seconds(milliseconds: Long): String = "%.3f".format(Locale.ROOT, milliseconds / 1000.0)
 }

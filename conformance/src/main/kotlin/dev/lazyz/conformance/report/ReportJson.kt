@@ -26,6 +26,7 @@ internal class ReportJson(private val report: ConformanceReport) {
 
     private fun report(): JsonObject = buildJsonObject {
         put("conformant", report.isConformant)
+        put("inconclusive", report.isInconclusive)
         putJsonArray("diagnosis") {
             for (cause in report.diagnosis.causes) {
                 addJsonObject {

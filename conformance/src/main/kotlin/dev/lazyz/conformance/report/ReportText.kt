@@ -27,10 +27,14 @@ internal class ReportText(private val report: ConformanceReport, private val isO
         appendLine(verdict())
     }
 
-    /** The last line: the number of rules per outcome, and whether the renderer conforms. */
+    /** The last line: whether the renderer conforms, if that is known, and the number of rules per outcome. */
     fun verdict(): String {
         val counts = RuleOutcome.entries.associateWith { report.withOutcome(it).size }.filterValues { it > 0 }
-        val verdict = if (report.isConformant) "conforms" else "does NOT conform"
+        val verdict = when {
+            report.isConformant -> "conforms"
+            report.isInconclusive -> "may conform, this run is inconclusive"
+            else -> "does NOT conform"
+        }
         val numbers = counts.entries.joinToString { (outcome, count) -> "$count ${outcome.words}" }
         return "${report.strategy.id} $verdict: ${counted(report.results.size.toLong(), "rule")}, $numbers; " +
             "%.1f s".format(Locale.ROOT, report.milliseconds / 1000.0)
@@ -77,7 +81,7 @@ internal class ReportText(private val report: ConformanceReport, private val isO
         if (failure != null && failure.message != result.message) message(failure.message, result.rule)
         if (result.rule.intent.isNotEmpty()) appendLine("  why         ${result.rule.intent}")
         if (result.look.isNotEmpty()) appendLine("  look at     ${result.look}")
-        if (isOnDisk && failure?.code != null) appendLine("  scene file  ${sceneFile(failure, result.rule)}")
+        if (failure?.code != null) appendLine("  scene file  ${sceneFile(failure, result.rule)}")
         appendLine("  reproduce   ${report.commandFor(result.rule)}")
     }
 
@@ -95,8 +99,11 @@ internal class ReportText(private val report: ConformanceReport, private val isO
     private fun shortened(line: String): String =
         if (line.length > MOST_COLUMNS) "${line.take(MOST_COLUMNS)} ..." else line
 
-    private fun sceneFile(failure: RuleFailure, rule: SuiteRule): String =
-        if (failure.sceneFile == null) NO_SCENE_FILE else "failures/$rule.json"
+    private fun sceneFile(failure: RuleFailure, rule: SuiteRule): String = when {
+        failure.sceneFile == null -> NO_SCENE_FILE
+        isOnDisk -> "failures/$rule.json"
+        else -> "written with a report (zcli: --report FOLDER)"
+    }
 
     private fun StringBuilder.rules() {
         val words = report.results.maxOfOrNull { it.outcome.words.length } ?: 0
@@ -133,6 +140,6 @@ internal class ReportText(private val report: ConformanceReport, private val isO
         private const val MOST_COLUMNS = 200
 
         /** Why there is no scene file. */
-        const val NO_SCENE_FILE: String = "none: a scene file cannot express this frame"
+        const val NO_SCENE_FILE: String = "none: a scene file cannot express this frame, but the code makes it"
     }
 }

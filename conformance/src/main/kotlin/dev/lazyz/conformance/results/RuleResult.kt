@@ -4,8 +4,10 @@ import dev.lazyz.Image
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.casesAmong
 import dev.lazyz.conformance.census.Distribution
+import dev.lazyz.conformance.judgement.ProcessEnded
 import dev.lazyz.conformance.judgement.TimedOut
 import dev.lazyz.conformance.judgement.Violation
+import dev.lazyz.conformance.judgement.crash
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.rules.Symptom
 
@@ -20,8 +22,14 @@ public enum class RuleOutcome(internal val words: String) {
     /** The renderer threw an [Error], or ended the process, during the rule: a failure. */
     CRASHED("crashed"),
 
-    /** A rendering did not end before its deadline: a failure. */
+    /** A rendering did not end within its processor time, or all its threads waited for as long: a failure. */
     TIMED_OUT("timed out"),
+
+    /**
+     * The machine was so busy that a rendering did not get the processor time of its deadline, so it is not known
+     * whether it is too slow; or the rule was not run, because this happened to others. Neither a failure nor a proof.
+     */
+    INCONCLUSIVE("inconclusive"),
 
     /** The renderer broke the rule, but not when the same frame was rendered again: a failure. */
     FLAKY("flaky"),
@@ -50,18 +58,18 @@ public enum class RuleOutcome(internal val words: String) {
 
     /** Whether a renderer with this outcome does not conform. */
     public val isFailure: Boolean get() = when (this) {
-        PASSED, NOT_FOLLOWED, WAIVED, NOT_SUPPORTED -> false
+        PASSED, INCONCLUSIVE, NOT_FOLLOWED, WAIVED, NOT_SUPPORTED -> false
         FAILED, CRASHED, TIMED_OUT, FLAKY, NOT_RUN, WAIVED_BUT_PASSES, WAIVER_EXPIRED -> true
     }
 
     /** Whether the renderer broke the rule, whatever the rule's level. */
     internal val isBroken: Boolean get() = when (this) {
         FAILED, CRASHED, TIMED_OUT, FLAKY, NOT_FOLLOWED -> true
-        PASSED, NOT_RUN, WAIVED, WAIVED_BUT_PASSES, WAIVER_EXPIRED, NOT_SUPPORTED -> false
+        PASSED, INCONCLUSIVE, NOT_RUN, WAIVED, WAIVED_BUT_PASSES, WAIVER_EXPIRED, NOT_SUPPORTED -> false
     }
 
     /** Whether reports describe it in detail. */
-    internal val isDetailed: Boolean get() = isFailure || this == NOT_FOLLOWED
+    internal val isDetailed: Boolean get() = isFailure || this == NOT_FOLLOWED || this == INCONCLUSIVE
 }
 
 /**
@@ -69,7 +77,7 @@ public enum class RuleOutcome(internal val words: String) {
  *
  * @property rule the rule
  * @property outcome its outcome
- * @property message why it failed, is not followed, is waived, was not run or is not supported; empty if it passed
+ * @property message why it failed, is inconclusive, is not followed, is waived, was not run or is not supported; empty if it passed
  * @property tries number of tries, without those that shrink a frame after a failure
  * @property milliseconds duration of the rule
  * @property distribution traits of the frames
@@ -85,13 +93,38 @@ public class RuleResult internal constructor(
     public val failure: RuleFailure?,
 ) {
     /** Where to look in the renderer, in one sentence; empty if not known. */
-    internal val look: String get() = if (outcome == RuleOutcome.TIMED_OUT) WHERE_IT_HANGS else rule.look
+    internal val look: String get() = when (outcome) {
+        RuleOutcome.TIMED_OUT -> if ((failure?.cause as? TimedOut)?.isAsleep == true) WHERE_IT_WAITS else WHERE_IT_LOOPS
+        RuleOutcome.INCONCLUSIVE -> WHAT_TO_DO
+        else -> failure?.let { crashLook(it.cause) } ?: rule.look
+    }
 
     override fun toString(): String = "$rule: ${outcome.words}"
 
     private companion object {
-        const val WHERE_IT_HANGS = "The stack in the message says where it is: look for a loop that does not end, or " +
-            "for a thread that waits for what never comes."
+        const val WHERE_IT_LOOPS = "The stack in the message says where it is: look for a loop that does not end, or " +
+            "that takes very long."
+        const val WHERE_IT_WAITS = "The stack in the message says where it is: look for a thread that waits for what " +
+            "never comes."
+
+        /** Where to look if the renderer crashed; null if it did not. */
+        fun crashLook(thrown: Throwable): String? = when {
+            thrown is ProcessEnded -> "Look for System.exit, Runtime.halt, and native code that crashes."
+
+            crash(thrown) is OutOfMemoryError ->
+                "Look for arrays that are sized by the whole raster, by the bounds or by the number of primitives, and for " +
+                    "lists that only grow."
+
+            crash(thrown) is StackOverflowError ->
+                "Look for recursion whose depth is the number of primitives, fragments or samples: make it a loop, or " +
+                    "halve the rest in each call."
+
+            crash(thrown) != null -> "Look where the error is thrown."
+
+            else -> null
+        }
+        const val WHAT_TO_DO = "Run it again while the machine has less other work, or with a longer deadline " +
+            "(zcli: --deadline SECONDS; as a test: -Dlazyz.conformance.deadline=SECONDS)."
     }
 }
 
@@ -122,6 +155,15 @@ public class RuleFailure private constructor(
         val before = first?.takeIf { it !== cause }?.let { Symptoms.of(it) }
         if (before == null || last == null) last else last intersect before
     }
+
+    /** What the renderer does, if it crashes: a verb and its object. */
+    internal val crash: String? get() = when {
+        cause is ProcessEnded -> "ends the process"
+        else -> crash(cause)?.let { "throws ${it.javaClass.name}" }
+    }
+
+    /** Whether the message says the whole cause. */
+    internal val isPlain: Boolean get() = (cause as? Violation)?.isPlain == true
 
     /** The frame as the text of a scene file, see [FrameCase.sceneFile]; null if that format cannot express it. */
     public val sceneFile: String? get() = case?.sceneFile()

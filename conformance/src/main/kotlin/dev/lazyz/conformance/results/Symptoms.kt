@@ -36,10 +36,11 @@ internal object Symptoms {
         ofFrame(violation.case, symptoms)
         if (violation.isConfigured) symptoms.add(Symptom.OPTIONS)
         if (violation.isAgain) symptoms.add(Symptom.AGAIN)
+        if (violation.areRowsWrong) symptoms.add(Symptom.ROWS)
         val expected = violation.expected
         val actual = violation.actual
         if (expected == null || actual == null) {
-            symptoms.add(Symptom.PICTURE)
+            if (violation.cause !is Error) symptoms.add(Symptom.PICTURE)
             symptoms.add(Symptom.EXCEPTION)
             return symptoms
         }

@@ -5,6 +5,8 @@ import dev.lazyz.Coherence
 import dev.lazyz.DepthTest
 import dev.lazyz.Image
 import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.Selector
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.backed
 import dev.lazyz.conformance.cases.changed.cutAtColumn
@@ -19,6 +21,8 @@ import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.ScreenCases
 import dev.lazyz.conformance.frames.screen.moved
 import dev.lazyz.conformance.judgement.Judgement
+import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.isTie
 import dev.lazyz.conformance.probes.closeToAWall
@@ -177,10 +181,12 @@ public sealed interface ChangeRules : RulesForOne {
         Judgement(renderer(), closeToAWall(salt).withinAny(Random(salt))).equalsReference()
     }
 
-    /** Options change the cost of a rendering, never its picture. */
+    /** Options change the cost of a rendering, never its picture, and never the renderer that is asked for them. */
     @Rule(
-        intent = "Coherence, memory budget, threads and tile size change the cost, never the picture.",
-        look = "The message names the options: compare stepped colours with direct ones, and check the edges of tiles.",
+        intent = "Coherence, memory budget, threads and tile size change the cost, never the picture, and `configured` " +
+            "leaves its renderer as it is.",
+        look = "The message names the options: compare stepped colours with direct ones, check the edges of tiles, and " +
+            "let `configured` return another renderer.",
         about = [Symptom.OPTIONS],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -192,6 +198,21 @@ public sealed interface ChangeRules : RulesForOne {
                 val options = RenderOptions(coherence, budget, threads, tileSize = 8).supportedBy(renderer)
                 Judgement(renderer.configured(options), case, "$options").equalsReference()
             }
+        }
+        if (case.frame.primitives.isNotEmpty()) leavesItself(renderer(), case)
+    }
+
+    /** Fails if [renderer] is another one after it has been asked for a renderer with other options. */
+    private fun leavesItself(renderer: Renderer, case: FrameCase) {
+        fun shaded() = Rendering.of(renderer, case.frame).let { it.image to it.counters.shadingSteps }
+        val (image, steps) = shaded()
+        val none = Selector { _ -> }
+        for (coherence in Coherence.entries) {
+            renderer.configured(RenderOptions(coherence, memoryBudget = 0L, selector = none).supportedBy(renderer))
+            val (after, stepsAfter) = shaded()
+            if (difference(image, after) == null && steps == stepsAfter) continue
+            val what = "configured() changes the renderer itself: it must return another one"
+            throw Violation("${renderer.id}: $what\nin\n$case", case, image, after, isConfigured = true, isPlain = true)
         }
     }
 

@@ -73,7 +73,7 @@ public sealed interface CombinationRules : RulesForOne {
      */
     private fun explained(found: Violation, fresh: Renderer, options: RenderOptions, case: FrameCase): Violation {
         try {
-            Judgement(fresh, case, "$options").equalsReference()
+            Judgement(fresh, case, "$options").equalsReference().rowsInOrder()
         } catch (e: Violation) {
             return e
         }

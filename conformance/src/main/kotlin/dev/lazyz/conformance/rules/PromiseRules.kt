@@ -11,6 +11,7 @@ import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.fail
+import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.judgement.withoutMemory
 import dev.lazyz.conformance.oracle.Selection
@@ -66,7 +67,7 @@ public sealed interface PromiseRules : RulesForOne {
         val varied = case.variedFor(renderer, random)
         val witness = RowWitness(varied.frame)
         var early: String? = null
-        renderer.render(witness.frame) { y, _, _, _ ->
+        renderer.inTime(witness.frame) { y, _, _, _ ->
             if (witness.last > y) early = early ?: "row $y is delivered after queries about row ${witness.last}"
         }
         early?.let { Judgement(renderer, varied).fail(it) }
@@ -88,7 +89,7 @@ public sealed interface PromiseRules : RulesForOne {
         val varied = case.variedFor(renderer, random)
         val witness = RowWitness(varied.frame)
         val last = varied.frame.region.rowStart + random.nextInt(varied.frame.height)
-        answer { renderer.render(witness.frame) { y, _, _, _ -> check(y < last) { "enough" } } }
+        answer { renderer.inTime(witness.frame) { y, _, _, _ -> check(y < last) { "enough" } } }
         if (witness.last <= last) return
         val what = "the sink stops at row $last, a primitive is queried about row ${witness.last}"
         Judgement(renderer, varied).fail(what)
@@ -189,7 +190,17 @@ public sealed interface PromiseRules : RulesForOne {
             least = minOf(least, empty.counters.peakBytes, judgement.rendering.counters.peakBytes)
             val held = judgement.rendering.counters.peakBytes - least
             if (held > budget) judgement.fail("$held bytes are held in addition to the image's, at most $least")
+            requireAtMost(judgement, budget)
         }
+    }
+
+    /** Fails if more is held than the image, the [budget] and some rows take. */
+    private fun requireAtMost(judgement: Judgement, budget: Long) {
+        val image = judgement.rendering.image
+        val most = IMAGE_BYTES * image.width * (image.height + SOME_ROWS) + FEW_BYTES
+        val held = judgement.rendering.counters.peakBytes
+        if (held - most <= budget) return
+        judgement.fail("$held bytes are held; the image and some rows take at most $most")
     }
 
     /** The memory that remains after garbage collection is within the budget, too. */
@@ -216,5 +227,14 @@ public sealed interface PromiseRules : RulesForOne {
         val renderer = renderer()
         requireDeclared(renderer, Capability.STREAMS_PRIMITIVES)
         constantMemoryInPrimitives(renderer)
+    }
+
+    private companion object {
+        /** Bytes that an image takes for a sample, see rule 7.6. */
+        const val IMAGE_BYTES = 12L
+
+        /** Rows of this many samples that a renderer may hold besides, whatever the budget, and bytes for what is small. */
+        const val SOME_ROWS = 8
+        const val FEW_BYTES = 2048
     }
 }

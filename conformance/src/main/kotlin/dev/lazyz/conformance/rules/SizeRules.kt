@@ -22,6 +22,7 @@ import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.Selection
 import dev.lazyz.conformance.probes.closeToAWall
+import dev.lazyz.conformance.probes.crowdedTile
 import dev.lazyz.conformance.probes.edgesAtTheEndsOfTiles
 import dev.lazyz.conformance.probes.longRasters
 import dev.lazyz.conformance.probes.specks
@@ -86,10 +87,10 @@ public sealed interface SizeRules : RulesForOne {
         }
     }
 
-    /** A mesh of small and larger triangles gives the same picture with tiles of every size. */
+    /** A mesh of small and larger triangles gives the same picture with tiles of every size, and a tile may be full. */
     @Rule(
         intent = "The size of tiles changes no bit, however many samples and triangles a tile has.",
-        look = "Look for places within a tile in too few bits, and for tiles at the right and lower edge.",
+        look = "Look for places and numbers within a tile in too few bits, and for tiles at the right and lower edge.",
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_tilesOfEverySizeGiveTheSamePicture(@ForAll salt: Long) {
@@ -99,6 +100,7 @@ public sealed interface SizeRules : RulesForOne {
             val options = RenderOptions(tileSize = 1 shl shift)
             Judgement(renderer().configured(options), case, "$options").equalsPicture(expected)
         }
+        Judgement(renderer(), crowdedTile(salt)).equalsReference()
     }
 
     /** Wide triangles with edges through the samples at the ends of tiles. */
@@ -170,17 +172,25 @@ public sealed interface SizeRules : RulesForOne {
         Judgement(renderer(), case).equalsReference()
     }
 
-    /** More than a million fragments in one row, more than a renderer may want to hold at once. */
+    /**
+     * More than a million fragments in one row, more than a renderer may want to hold at once; and tens of thousands at
+     * one sample, in the order of their depths and in the reverse order.
+     */
     @Rule(
-        intent = "A row has any number of fragments, also if the renderer processes it in pieces.",
-        look = "Look for what a piece of a row knows of the spans that began in the piece before.",
+        intent = "A row and a sample have any number of fragments, in any order.",
+        look = "Look for what a piece of a row knows of the spans that began in the piece before, and for recursion " +
+            "whose depth is the number of fragments, as in a sort.",
         isSpecial = true,
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_nearestOfAMillionFragmentsOfARowIsVisible() {
-        val multitude = Multitude.ofRow()
-        Judgement(renderer(), multitude.case).equalsPicture(multitude.image)
+        for (it in listOf(Multitude.ofRow()) + sorted(isTranslucent = false)) {
+            Judgement(renderer(), it.case).equalsPicture(it.image)
+        }
     }
+
+    private fun sorted(isTranslucent: Boolean): List<Multitude> =
+        listOf(false, true).map { Multitude.ofSorted(it, isTranslucent) }
 
     /** Dozens of layers, each nearly transparent; some of them may be opaque. */
     @Rule(
@@ -203,18 +213,23 @@ public sealed interface SizeRules : RulesForOne {
         Judgement(renderer, case.thin(layers, opaque)).equalsReference()
     }
 
-    /** Many layers at many samples: more fragments at once than fit into small buffers. */
+    /**
+     * Many layers at many samples: more fragments at once than fit into small buffers; and tens of thousands at one
+     * sample, in the order of their depths and in the reverse order.
+     */
     @Rule(
         intent = "Blending includes all fragments of a tile, a band or a picture, however many there are.",
-        look = "Look for a store of fragments that is full, and for positions in it in 16 bits.",
+        look = "Look for a store of fragments that is full, for positions in it in 16 bits, and for recursion whose " +
+            "depth is the number of fragments, as in a sort.",
         isSpecial = true,
     )
     @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_millionFragmentsBlend() {
         val renderer = renderer()
         requireDeclared(renderer, Capability.TRANSPARENCY)
-        val multitude = Multitude.ofFragments()
-        Judgement(renderer, multitude.case).equalsPicture(multitude.image)
+        for (it in listOf(Multitude.ofFragments()) + sorted(isTranslucent = true)) {
+            Judgement(renderer, it.case).equalsPicture(it.image)
+        }
     }
 
     /** A thousand layers, each nearly transparent, at each of a few samples. */

@@ -10,14 +10,14 @@ public enum class Symptom(
     /** Estimated share of failures, from mistakes of any kind, that show this symptom by chance. */
     internal val rate: Double,
 ) {
-    /** The renderer renders a wrong picture, or throws when it renders. */
+    /** The renderer renders a wrong picture, or throws an exception that is no error when it renders. */
     PICTURE("the picture itself is wrong", 0.9),
 
     /** The renderer throws. */
     EXCEPTION("the renderer throws", 0.1),
 
-    /** Rows are missing. */
-    ROWS("rows are missing", 0.05),
+    /** Rows are missing, come twice or in another order. */
+    ROWS("rows are missing or not in order", 0.05),
 
     /** The picture is correct, but something else is not. */
     COUNTERS("the picture is correct, but something else is wrong", 0.1),

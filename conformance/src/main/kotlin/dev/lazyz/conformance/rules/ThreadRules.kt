@@ -14,6 +14,7 @@ import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.fail
+import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.OneByOne
 import dev.lazyz.conformance.probes.OverwritingSink
@@ -68,7 +69,7 @@ public sealed interface ThreadRules : RulesForOne {
     public fun rule_7_8_sinkIsCalledOnTheCallersThread(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer().configured(FOUR_THREADS)
         val sink = ThreadWitness()
-        renderer.render(case.frame, sink)
+        renderer.inTime(case.frame, sink)
         sink.complaint?.let { Judgement(renderer, case).fail(it) }
     }
 
@@ -81,7 +82,7 @@ public sealed interface ThreadRules : RulesForOne {
     public fun rule_7_8_sinkMayOverwriteItsRows(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
         val sink = OverwritingSink(case.frame)
-        val counters = renderer.render(case.frame, sink)
+        val counters = renderer.inTime(case.frame, sink)
         sink.complaint?.let { Judgement(renderer, case).fail(it) }
         val expected = Rendering.of(ReferenceRenderer(), case.frame).image
         val difference = difference(expected, sink.image(counters)) ?: return
@@ -100,7 +101,7 @@ public sealed interface ThreadRules : RulesForOne {
                 val stripe = listOf(Stripe(3..7, rows, 1000)).filter { !rows.isEmpty() }
                 val frame = Frame(Raster(EMPTY_COLUMNS, EMPTY_ROWS), stripe)
                 val sink = OverwritingSink(frame)
-                val counters = renderer.render(frame, sink)
+                val counters = renderer.inTime(frame, sink)
                 val difference = difference(ReferenceRenderer().render(frame), sink.image(counters)) ?: continue
                 fail(renderer, "a sink overwrites its rows, of which only $rows are not empty: $difference")
             }
@@ -123,7 +124,7 @@ public sealed interface ThreadRules : RulesForOne {
         for (renderer in usual.ways() + usual.configured(FOUR_THREADS)) {
             for (inner in listOf(other, ofSameSize)) {
                 val sink = RenderingSink(outer.frame) { Judgement(renderer, inner).equalsReference() }
-                val counters = renderer.render(outer.frame, sink)
+                val counters = renderer.inTime(outer.frame, sink)
                 val expected = Rendering.of(ReferenceRenderer(), outer.frame).image
                 val difference = difference(expected, sink.image(counters)) ?: continue
                 Judgement(renderer, outer, "a sink that renders").fail("", difference)

@@ -9,6 +9,7 @@ import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.SeveralCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.TryUnderWay
+import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.probes.OutsideWitness
 import dev.lazyz.conformance.probes.Planted
 import dev.lazyz.conformance.probes.Question
@@ -147,7 +148,7 @@ public sealed interface UseRules : RulesForOne {
         val last = random.nextInt(case.frame.height)
         var rows = 0
         val answer = answer {
-            renderer.render(case.frame) { _, _, _, _ -> if (rows++ >= last) throw planted }
+            renderer.inTime(case.frame) { _, _, _, _ -> if (rows++ >= last) throw planted }
         }
         val judgement = Judgement(renderer, case)
         changed(planted, answer)?.let { judgement.fail("the sink throws $it", answer) }
@@ -181,7 +182,7 @@ public sealed interface UseRules : RulesForOne {
         val renderer = renderer()
         val part = case.withinAny(Random(salt))
         val witness = OutsideWitness(part.frame)
-        renderer.render(witness.frame) { _, _, _, _ -> }
+        renderer.inTime(witness.frame) { _, _, _, _ -> }
         val asked = witness.asked ?: return
         val judgement = Judgement(renderer, part)
         judgement.fail("primitive $asked lies outside the region, but is queried for more than its bounds")

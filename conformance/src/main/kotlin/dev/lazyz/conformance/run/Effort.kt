@@ -1,5 +1,6 @@
 package dev.lazyz.conformance.run
 
+import dev.lazyz.conformance.judgement.Inconclusive
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.RuleResult
 import dev.lazyz.conformance.results.SuiteRule
@@ -8,6 +9,7 @@ import java.lang.reflect.AnnotatedElement
 import java.lang.reflect.Method
 import java.time.LocalDate
 import java.util.Optional
+import net.jqwik.api.Reporter
 import net.jqwik.api.lifecycle.AroundContainerHook
 import net.jqwik.api.lifecycle.AroundPropertyHook
 import net.jqwik.api.lifecycle.AroundTryHook
@@ -86,9 +88,13 @@ internal class Effort :
         settings.frames?.keep(verdict)
         if (run != null) {
             run.add(verdict)
-            return translated(result, verdict)
+            return translated(context, result, verdict)
         }
-        if (!verdict.outcome.isBroken || !verdict.outcome.isFailure) return translated(result, verdict)
+        if (verdict.outcome == RuleOutcome.INCONCLUSIVE) {
+            // Build tools count an exception as an error, not as a failure
+            return result.mapToFailed(Inconclusive("inconclusive: ${verdict.message}\n${verdict.look}"))
+        }
+        if (!verdict.outcome.isBroken || !verdict.outcome.isFailure) return translated(context, result, verdict)
         val kept = KeptFailure.of(context.testInstance() as AllRules, settings, verdict)
         return result.mapToFailed(AssertionError("${verdict.message}\n$kept", verdict.failure?.cause))
     }
@@ -122,15 +128,32 @@ internal class Effort :
     }
 
     /** Returns the result that jqwik reports to its caller. */
-    private fun translated(result: PropertyExecutionResult, verdict: RuleResult): PropertyExecutionResult =
+    private fun translated(
+        context: PropertyLifecycleContext,
+        result: PropertyExecutionResult,
+        verdict: RuleResult,
+    ): PropertyExecutionResult =
         when (verdict.outcome) {
             RuleOutcome.PASSED, RuleOutcome.FAILED, RuleOutcome.CRASHED, RuleOutcome.TIMED_OUT, RuleOutcome.FLAKY ->
                 result
 
-            RuleOutcome.NOT_FOLLOWED, RuleOutcome.WAIVED, RuleOutcome.NOT_SUPPORTED ->
+            RuleOutcome.NOT_FOLLOWED, RuleOutcome.WAIVED, RuleOutcome.NOT_SUPPORTED -> {
+                // jqwik's own report of a skipped property has a dozen lines that say nothing
+                context.reporter().publishValue(verdict.rule.name, "${verdict.outcome.words}: ${verdict.message}")
+                context.wrapReporter { Silence }
                 result.mapToAborted(TestAbortedException(verdict.message))
+            }
 
-            RuleOutcome.NOT_RUN, RuleOutcome.WAIVED_BUT_PASSES, RuleOutcome.WAIVER_EXPIRED ->
+            RuleOutcome.INCONCLUSIVE, RuleOutcome.NOT_RUN, RuleOutcome.WAIVED_BUT_PASSES, RuleOutcome.WAIVER_EXPIRED ->
                 result.mapToFailed(AssertionError(verdict.message, verdict.failure?.cause))
         }
+}
+
+/** Publishes nothing. */
+private object Silence : Reporter {
+    override fun publishValue(key: String, value: String) = Unit
+
+    override fun publishReport(key: String, value: Any) = Unit
+
+    override fun publishReports(key: String, values: Map<String, Any>) = Unit
 }

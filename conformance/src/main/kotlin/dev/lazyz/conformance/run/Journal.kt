@@ -85,7 +85,7 @@ internal class Journal(private val path: Path) {
 /**
  * The end of a process during the try number [tries] of [rule].
  *
- * @property outcome crashed or timed out
+ * @property outcome crashed, timed out or inconclusive
  * @property words how the process ended
  */
 internal class ProcessEnd(

@@ -4,6 +4,7 @@ import dev.lazyz.conformance.judgement.ProcessEnded
 import dev.lazyz.conformance.judgement.TimedOut
 import dev.lazyz.conformance.report.ConformanceReport
 import dev.lazyz.conformance.report.StrategyInfo
+import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.RuleResult
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.Waivers
@@ -31,7 +32,7 @@ internal class Settings(
     )
 
     companion object {
-        /** A hundred times the duration of a try on a slow machine. */
+        /** A hundred times the processor time of a try on a slow machine. */
         val USUAL_DEADLINE: Duration = Duration.ofSeconds(20)
 
         /** Most shrinking steps. Half as many rarely find a larger frame. */
@@ -71,23 +72,31 @@ internal class Settings(
     }
 }
 
+/** [why] a rule is not run, and the [outcome] that it has then. */
+internal class NotRun(val why: String, val outcome: RuleOutcome)
+
 /** Counts failures of the rules of one test class, as far as they affect the following rules. */
 internal class Tally {
     private var broken = 0
     private var timeOuts = 0
+    private var inconclusive = 0
 
     /** How many shrinking steps the next rule may use. */
     val steps: Int get() = if (broken < MOST_SHRUNK) Settings.MANY_STEPS else Settings.FEW_STEPS
 
     /** Why the next rule is not run; null if it is. */
-    val whyNoFurtherRule: String?
-        get() = if (timeOuts < MOST_TIME_OUTS) {
-            null
-        } else {
-            "$MOST_TIME_OUTS earlier rules timed out or ended the process"
+    val whyNoFurtherRule: NotRun?
+        get() = when {
+            timeOuts + inconclusive < MOST_TIME_OUTS -> null
+            timeOuts == 0 -> NotRun("$MOST_TIME_OUTS earlier rules are inconclusive", RuleOutcome.INCONCLUSIVE)
+            inconclusive == 0 -> notRun("timed out or ended the process")
+            else -> notRun("timed out, ended the process or are inconclusive")
         }
 
+    private fun notRun(what: String) = NotRun("$MOST_TIME_OUTS earlier rules $what", RuleOutcome.NOT_RUN)
+
     fun add(verdict: RuleResult) {
+        if (verdict.outcome == RuleOutcome.INCONCLUSIVE) inconclusive++
         val failure = verdict.failure ?: return
         broken++
         if (failure.cause is TimedOut || failure.cause is ProcessEnded) timeOuts++

@@ -4,11 +4,12 @@ import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.casesAmong
 import dev.lazyz.conformance.census.Census
+import dev.lazyz.conformance.judgement.Inconclusive
 import dev.lazyz.conformance.judgement.NotDeclared
 import dev.lazyz.conformance.judgement.ProcessEnded
 import dev.lazyz.conformance.judgement.TimedOut
 import dev.lazyz.conformance.judgement.TryUnderWay
-import dev.lazyz.conformance.judgement.Violation
+import dev.lazyz.conformance.judgement.crash
 import dev.lazyz.conformance.probes.SettingsBefore
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.results.RuleFailure
@@ -61,8 +62,11 @@ internal class Trial(
     /** Why the rule does not apply; null until this is known. */
     private var notDeclared: NotDeclared? = null
 
+    /** Why it is not known whether the renderer follows the rule; null unless that is so. */
+    private var inconclusive: Inconclusive? = null
+
     /** Why the rule is not run at all; null if it is. */
-    var notRun: String? = null
+    var notRun: NotRun? = null
 
     /** The smallest failing try. Once this is set, further tries shrink the frame and are not counted. */
     @Volatile
@@ -102,7 +106,7 @@ internal class Trial(
 
     /** Calls [block] as the next try, or as the next shrinking step. */
     fun attempt(parameters: List<Any>, block: () -> TryExecutionResult): TryExecutionResult {
-        if (notRun != null || notDeclared != null) return TryExecutionResult.satisfied(true)
+        if (notRun != null || notDeclared != null || inconclusive != null) return TryExecutionResult.satisfied(true)
         falsified?.let { return shrink(it, parameters, block) }
         journal?.tries()
         tries++
@@ -110,8 +114,9 @@ internal class Trial(
         census.nextTry()
         val result = answer(parameters, block)
         val failure = result.throwable().orElse(null)
-        if (failure is NotDeclared) {
-            notDeclared = failure
+        if (failure is NotDeclared || failure is Inconclusive) {
+            notDeclared = failure as? NotDeclared
+            inconclusive = failure as? Inconclusive
             return TryExecutionResult.satisfied(true)
         }
         if (result.isFalsified) {
@@ -131,6 +136,10 @@ internal class Trial(
         val lead = if (end.isShrinking) "failed, and during shrinking " else ""
         val where = casesAmong(parameters).firstOrNull()?.let { "\nin\n$it" }.orEmpty()
         val message = "${lead}ended the process: ${end.words}$where"
+        if (end.outcome == RuleOutcome.INCONCLUSIVE) {
+            inconclusive = Inconclusive(message)
+            return TryExecutionResult.satisfied(true)
+        }
         val failure = if (end.outcome == RuleOutcome.TIMED_OUT) TimedOut(message, null) else ProcessEnded(message)
         falsified = Falsified(parameters, failure)
         shrinking.end()
@@ -145,7 +154,7 @@ internal class Trial(
         if (!shrinking.isStepLeft()) throw ShrinkingEnds()
         journal?.shrinks()
         val failure = answer(parameters, block).throwable().orElse(null)
-        if (failure is TimedOut) throw ShrinkingEnds()
+        if (failure is TimedOut || failure is Inconclusive) throw ShrinkingEnds()
         if (failure == null || failure.javaClass != best.failure.javaClass) return TryExecutionResult.satisfied()
         falsified = Falsified(parameters, failure)
         return TryExecutionResult.falsified(firstFailure)
@@ -161,8 +170,14 @@ internal class Trial(
                 block()
             }
         } catch (late: Late) {
-            val where = underTrial?.let { "\nin\n$it" }.orEmpty()
-            TryExecutionResult.falsified(TimedOut("${late.message}$where", underTrial))
+            val words = "${late.message}${underTrial?.let { "\nin\n$it" }.orEmpty()}"
+            TryExecutionResult.falsified(
+                when (late.lateness) {
+                    Lateness.BUSY -> TimedOut(words, underTrial)
+                    Lateness.ASLEEP -> TimedOut(words, underTrial, isAsleep = true)
+                    Lateness.UNKNOWN -> Inconclusive(words)
+                },
+            )
         } catch (e: InterruptedException) {
             throw e
         } catch (e: Throwable) {
@@ -188,7 +203,7 @@ internal class Trial(
             falsified?.failure ?: result.throwable().orElse(null) ?: AssertionError("failed without a message")
         val plain = outcome(result.status(), failure)
         val outcome = when {
-            waiver == null || plain == RuleOutcome.NOT_RUN -> plain
+            waiver == null || plain == RuleOutcome.NOT_RUN || plain == RuleOutcome.INCONCLUSIVE -> plain
             waiver.expires < today -> RuleOutcome.WAIVER_EXPIRED
             plain.isBroken -> RuleOutcome.WAIVED
             else -> RuleOutcome.WAIVED_BUT_PASSES
@@ -198,7 +213,7 @@ internal class Trial(
             rule,
             outcome,
             message = message(plain, outcome, failure),
-            tries = if (plain == RuleOutcome.NOT_RUN) 0 else result.countTries(),
+            tries = if (notRun != null) 0 else result.countTries(),
             milliseconds = (System.nanoTime() - start) / NANOSECONDS,
             distribution = census.distribution(),
             failure = if (!plain.isBroken) {
@@ -210,13 +225,14 @@ internal class Trial(
     }
 
     private fun outcome(status: Status, failure: Throwable): RuleOutcome = when {
-        notRun != null -> RuleOutcome.NOT_RUN
+        notRun != null -> checkNotNull(notRun).outcome
+        inconclusive != null -> RuleOutcome.INCONCLUSIVE
         notDeclared != null -> RuleOutcome.NOT_SUPPORTED
         processEnd != null -> processEnd.outcome
         status == Status.SUCCESSFUL -> RuleOutcome.PASSED
         status == Status.ABORTED -> RuleOutcome.NOT_SUPPORTED
         failure is TimedOut -> RuleOutcome.TIMED_OUT
-        isCrash(failure) -> RuleOutcome.CRASHED
+        crash(failure) != null -> RuleOutcome.CRASHED
         rule.level == Level.SHOULD -> RuleOutcome.NOT_FOLLOWED
         isFlaky -> RuleOutcome.FLAKY
         else -> RuleOutcome.FAILED
@@ -226,7 +242,8 @@ internal class Trial(
         RuleOutcome.PASSED -> ""
         RuleOutcome.FLAKY -> NOT_REPRODUCIBLE
         RuleOutcome.FAILED, RuleOutcome.CRASHED, RuleOutcome.TIMED_OUT, RuleOutcome.NOT_FOLLOWED -> words(failure)
-        RuleOutcome.NOT_RUN -> notRun.orEmpty()
+        RuleOutcome.NOT_RUN -> notRun?.why.orEmpty()
+        RuleOutcome.INCONCLUSIVE -> notRun?.why ?: inconclusive?.message.orEmpty()
         RuleOutcome.NOT_SUPPORTED -> (notDeclared ?: failure).message.orEmpty()
         RuleOutcome.WAIVED -> "waived until ${waiver?.expires}: ${waiver?.reason} (${waiver?.link})"
         RuleOutcome.WAIVED_BUT_PASSES -> "has a waiver, but ${verb(plain)}: delete the waiver"
@@ -265,9 +282,6 @@ internal class Trial(
             set(trial) {
                 TryUnderWay.current = trial
             }
-
-        private fun isCrash(failure: Throwable): Boolean =
-            if (failure is AssertionError) failure is Violation && failure.cause is Error else failure is Error
 
         private fun isTooExpensiveToRepeat(failure: Throwable?): Boolean =
             failure is TimedOut || failure is ProcessEnded || failure is OutOfMemoryError ||

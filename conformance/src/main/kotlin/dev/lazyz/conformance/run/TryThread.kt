@@ -1,8 +1,8 @@
 package dev.lazyz.conformance.run
 
-import dev.lazyz.conformance.report.ConformanceReport
 import java.time.Duration
 import java.util.concurrent.Callable
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.ExecutorService
 import java.util.concurrent.Executors
@@ -10,19 +10,19 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /** Thrown when a call makes no progress within its deadline. The message contains the stack traces of its threads. */
-internal class Late(message: String) : RuntimeException(message)
+internal class Late(message: String, val lateness: Lateness) : RuntimeException(message)
 
 /**
  * Makes calls one after the other in a single thread, separate from the caller's, so that a call that hangs can be
  * abandoned. The thread and the threads that it started are then interrupted, and the next call uses a new thread.
  */
-internal class TryThread(private val deadline: Duration) : AutoCloseable {
-    private var group = ThreadGroup(NAME)
+internal class TryThread(limit: Duration) : AutoCloseable {
+    private var group = ThreadGroup(all, NAME)
     private var executor: ExecutorService? = null
-    private val patience = Patience(deadline)
+    private val deadline = Deadline(limit, { ThreadTimes.now(all, lost) })
 
     /** Restarts the deadline of the current call, because it has made progress. */
-    fun goesOn() = patience.progress()
+    fun goesOn() = deadline.progress()
 
     /**
      * Returns what [block] returns, or throws what it throws.
@@ -34,12 +34,10 @@ internal class TryThread(private val deadline: Duration) : AutoCloseable {
         val future = executor().submit(Callable { block() })
         try {
             while (true) {
-                val left = patience.left()
-                if (left <= 0) throw late()
                 try {
-                    return future.get(left, TimeUnit.NANOSECONDS)
+                    return future.get(Patience.POLL.toMillis(), TimeUnit.MILLISECONDS)
                 } catch (_: TimeoutException) {
-                    // It may have made progress meanwhile
+                    deadline.lateness()?.let { throw late(it) }
                 }
             }
         } catch (e: ExecutionException) {
@@ -50,10 +48,11 @@ internal class TryThread(private val deadline: Duration) : AutoCloseable {
         }
     }
 
-    private fun late(): Late {
+    private fun late(lateness: Lateness): Late {
         val where = where()
+        if (lateness == Lateness.BUSY) lost += deadline.busyThreads()
         close()
-        return Late("was not over after ${seconds(deadline)}; it is at\n$where")
+        return Late("${deadline.words(lateness)}; it is at\n$where", lateness)
     }
 
     private fun executor(): ExecutorService = executor ?: Executors.newSingleThreadExecutor { task ->
@@ -77,7 +76,7 @@ internal class TryThread(private val deadline: Duration) : AutoCloseable {
         executor.shutdownNow()
         if (!executor.awaitTermination(MOMENT, TimeUnit.MILLISECONDS)) group.interrupt()
         this.executor = null
-        group = ThreadGroup(NAME)
+        group = ThreadGroup(all, NAME)
     }
 
     companion object {
@@ -86,7 +85,10 @@ internal class TryThread(private val deadline: Duration) : AutoCloseable {
         private const val MOST_THREADS = 8
         private const val MOST_CALLS = 16
 
-        /** Formats a duration, such as `20 s` or `0.5 s`. */
-        fun seconds(duration: Duration): String = "${ConformanceReport.plain(duration.toMillis() / 1000.0)} s"
+        /** The groups of all try threads: a renderer may keep threads that an earlier one has started. */
+        private val all = ThreadGroup(NAME)
+
+        /** The ids of threads that go on running after their call was given up, because they ignore interrupts. */
+        private val lost = ConcurrentHashMap.newKeySet<Long>()
     }
 }

@@ -1,13 +1,16 @@
 package dev.lazyz.conformance.broken
 
+import dev.lazyz.Capability
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.changed.renumbered
+import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.util.Collections
 import java.util.IdentityHashMap
@@ -18,6 +21,18 @@ object BrokenManners {
         ZBuffer().render(frame) { y, argb, depth, primitive ->
             sink.row(y + frame.region.rowStart, argb, depth, primitive)
         }
+    }
+
+    /** The options are set in the renderer that is asked for another one. */
+    fun configuresItself(): BrokenRenderer {
+        var current: Renderer = Lists()
+        lateinit var itself: BrokenRenderer
+        itself = BrokenRenderer(
+            "configures-itself",
+            setOf(Capability.SELECTION, Capability.TRANSPARENCY),
+            { options -> itself.also { current = Lists(options) } },
+        ) { frame, sink -> current.render(frame, sink) }
+        return itself
     }
 
     /** Correct on all frames of the suite. */

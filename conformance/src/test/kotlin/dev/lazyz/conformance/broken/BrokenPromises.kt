@@ -21,6 +21,27 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 object BrokenPromises {
     fun memoryGrows() = claiming("memory-grows-with-rows", Capability.CONSTANT_MEMORY, ZBuffer())
 
+    /** Counts the covered samples of the whole raster, whatever the region is. */
+    fun countsOutsideTheRegion() = BrokenRenderer("counts-outside-the-region") { frame, sink ->
+        val all = ZBuffer().render(Frame(frame.raster, frame.primitives)) { _, _, _, _ -> }.fragments
+        ZBuffer().render(frame, sink).toBuilder().apply { fragments = all }.build()
+    }
+
+    /** Promises to stay within a budget, but holds as much as the image once more, and reports it. */
+    fun holdsTheImageTwice(): BrokenRenderer = holdsTheImageTwice(RenderOptions())
+
+    private fun holdsTheImageTwice(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "holds-the-image-twice",
+        setOf(Capability.MEMORY_BUDGET),
+        { holdsTheImageTwice(it) },
+    ) { frame, sink ->
+        val copy = IntArray(3 * frame.width * frame.height)
+        Hybrid(options).render(frame) { y, argb, depth, primitive ->
+            copy[y - frame.region.rowStart]++
+            sink.row(y, argb, depth, primitive)
+        }.toBuilder().apply { peakBytes += Int.SIZE_BYTES.toLong() * copy.size }.build()
+    }
+
     /** Keeps all rows, although it declares constant memory. */
     fun keepsRows() = BrokenRenderer("keeps-rows", setOf(Capability.CONSTANT_MEMORY)) { frame, sink ->
         val kept = ArrayList<IntArray>()

@@ -28,6 +28,57 @@ object BrokenSizes {
     fun noTilesBeyondTheFirstOf256() =
         primitives("no-tiles-beyond-256") { Sifted(it) { x, y -> x < 256 && y < 256 } }
 
+    /** A tile of 64 x 64 samples has numbers of eleven bits for what is visible in it. */
+    fun elevenBitsOfATile() = painting("eleven-bits-of-a-tile") { image, frame ->
+        val numbers = HashMap<Pair<Int, Int>, HashSet<Int>>()
+        val isLost = BooleanArray(image.argb.size) { i ->
+            val tile = i % image.width / 64 to i / image.width / 64
+            val seen = numbers.getOrPut(tile) { HashSet() }
+            val isNew = image.primitive[i] !in seen
+            if (isNew && seen.size < 1 shl 11) seen.add(image.primitive[i])
+            image.primitive[i] !in seen
+        }
+        fun IntArray.without(value: Int) = IntArray(size) { if (isLost[it]) value else this[it] }
+        val raster = frame.raster
+        Image(
+            image.region,
+            image.argb.without(raster.background.toArgb()),
+            image.depth.without(raster.backgroundDepth),
+            image.primitive.without(DepthTest.BACKGROUND),
+            image.counters,
+        )
+    }
+
+    /** Sorts the fragments of a sample by calls as deep as there are fragments, if they come in order. */
+    fun sortsByRecursion() =
+        BrokenRenderer("sorts-by-recursion", setOf(Capability.TRANSPARENCY)) { frame, sink ->
+            val spans = Spans()
+            val x = frame.region.columnStart
+            val y = frame.region.rowStart
+            val depths = frame.primitives.asSequence().filter { primitive ->
+                spans.clear()
+                if (y in primitive.rowStart until primitive.rowEnd) primitive.spans(y, spans)
+                (0 until spans.count).any { x in spans.start(it)..<spans.end(it) }
+            }.map { it.depth(x, y) }.toList().toIntArray()
+            sort(depths, 0, depths.size)
+            Lists().render(frame, sink)
+        }
+
+    /** Quicksort with the first element as the pivot, from [start] until [end]. */
+    private fun sort(values: IntArray, start: Int, end: Int) {
+        if (end - start < 2) return
+        val pivot = values[start]
+        var smaller = start
+        for (i in start + 1 until end) {
+            if (values[i] >= pivot) continue
+            smaller++
+            values[smaller] = values[i].also { values[i] = values[smaller] }
+        }
+        values[start] = values[smaller].also { values[smaller] = values[start] }
+        sort(values, start, smaller)
+        sort(values, smaller + 1, end)
+    }
+
     /** The first column of a tile of 256 is a copy of the one before. */
     fun seamAt256() = painting("seam-at-256") { image, _ ->
         val first = image.region.columnStart

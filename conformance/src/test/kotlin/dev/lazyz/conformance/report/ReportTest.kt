@@ -133,7 +133,7 @@ class ReportTest {
     @Test
     fun sceneFilesAreNamedWhereTheyAreOnDisk() {
         val report = report(WrongColors(), nearest)
-        assertFalse("scene file" in report.toText(), report.toText())
+        assertTrue("  scene file  written with a report (zcli: --report FOLDER)\n" in report.toText(), report.toText())
         val line = "  scene file  failures/$nearest.json\n"
         report.writeTo(folder)
         assertTrue(line in folder.resolve("report.txt").readText())
@@ -171,7 +171,7 @@ class ReportTest {
         report.writeTo(folder)
         val rule = report.results.single().rule
         assertFalse(folder.resolve("failures/$rule.json").exists())
-        val words = "none: a scene file cannot express this frame"
+        val words = "none: a scene file cannot express this frame, but the code makes it"
         assertTrue("scene file  $words\n" in folder.resolve("report.txt").readText(), report.toText())
         assertTrue("\n// scene file: $words\n" in folder.resolve("failures/$rule.kt").readText())
     }

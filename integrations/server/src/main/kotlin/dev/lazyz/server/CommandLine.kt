@@ -54,7 +54,7 @@ internal object CommandLine {
         Option("--max-nesting", "N", "depth of nested objects in a model, 1..1000; default: 64") { c, v ->
             c.withLimits(c.limits.withNesting(int(v)))
         },
-        Option("--max-seconds", "SECONDS", "time for reading a model; default: --render-time") { c, v ->
+        Option("--max-seconds", "SECONDS", "time on the wall for reading a model; default: --render-time") { c, v ->
             c.withLimits(c.limits.withTime(seconds(v)))
         },
         Option("--idle-time", "SECONDS", "time for a client to send a request's headers; default: 30") { c, v ->

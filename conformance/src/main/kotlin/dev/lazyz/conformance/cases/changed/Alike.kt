@@ -16,6 +16,6 @@ internal fun FrameCase.alike(): FrameCase {
     val alike = frame.primitives.map { Alike(it) }
     return FrameCase(
         Frame(frame.raster, alike + alike, frame.region),
-        "$code // all primitives twice, as the same objects, and equal to each other",
+        "$code\n    .let { SuiteFrames.alike(it) }",
     )
 }

@@ -136,7 +136,7 @@ internal fun FrameCase.behindMany(): FrameCase {
     val nothing = Collections.nCopies(MANY, Cutting(NothingThere(frame.raster), 0..<0, 0..<0))
     return FrameCase(
         Frame(frame.raster, frame.primitives.take(half) + nothing + frame.primitives.drop(half)),
-        "$code // and after half of the primitives, $MANY that cover nothing",
+        "$code\n    .let { SuiteFrames.behindMany(it) }",
     )
 }
 
@@ -149,21 +149,21 @@ private const val MANY = 131_070
 /** Returns the frame with an additional primitive just behind what is visible in [image]. */
 internal fun FrameCase.backed(image: Image): FrameCase = FrameCase(
     Frame(frame.raster, frame.primitives + HiddenSurface(frame.raster, image)),
-    "$code // and behind the primitives one more, a unit of depth behind the picture",
+    "$code\n    .let { SuiteFrames.backed(it) }",
 )
 
 /** Splits each primitive i at [column]: 2 i is the part before it, 2 i + 1 the part from there on. */
-internal fun FrameCase.cutAtColumn(column: Int): FrameCase = cut("column $column") {
+internal fun FrameCase.cutAtColumn(column: Int): FrameCase = cut("cutAtColumn(it, $column)") {
     listOf(Cutting(it, 0..<column, 0..<Raster.MAX_SIDE), Cutting(it, column..<Raster.MAX_SIDE, 0..<Raster.MAX_SIDE))
 }
 
 /** Splits each primitive i at `row`: 2 i is the part above it, 2 i + 1 the part from there on. */
-internal fun FrameCase.cutAtRow(row: Int): FrameCase = cut("row $row") {
+internal fun FrameCase.cutAtRow(row: Int): FrameCase = cut("cutAtRow(it, $row)") {
     listOf(Cutting(it, 0..<Raster.MAX_SIDE, 0..<row), Cutting(it, 0..<Raster.MAX_SIDE, row..<Raster.MAX_SIDE))
 }
 
-private fun FrameCase.cut(where: String, halves: (Primitive) -> List<Primitive>): FrameCase =
-    FrameCase(Frame(frame.raster, frame.primitives.flatMap(halves)), "$code // each primitive in two, cut at $where")
+private fun FrameCase.cut(call: String, halves: (Primitive) -> List<Primitive>): FrameCase =
+    FrameCase(Frame(frame.raster, frame.primitives.flatMap(halves)), "$code\n    .let { SuiteFrames.$call }")
 
 /** Returns the frame with all primitives moved [right] columns and [down] rows, on an accordingly larger raster. */
 internal fun FrameCase.moved(right: Int, down: Int): FrameCase = FrameCase(
@@ -171,7 +171,7 @@ internal fun FrameCase.moved(right: Int, down: Int): FrameCase = FrameCase(
         with(frame.raster) { withSize(width + right, height + down) },
         frame.primitives.map { Moved(it, frame.raster.height, right, down) },
     ),
-    "$code // with raster and primitives moved $right columns to the right and $down rows down",
+    "$code\n    .let { SuiteFrames.moved(it, $right, $down) }",
 )
 
 /** Half of [few], then [MILLIONS] times [nothing], then the other half: a list that takes no memory. */
@@ -191,7 +191,7 @@ private class WithMillions(private val few: List<Primitive>, private val nothing
 /** Returns the frame with [MILLIONS] primitives with empty bounds after half of its primitives. */
 internal fun FrameCase.behindMillions(): FrameCase = FrameCase(
     Frame(frame.raster, WithMillions(frame.primitives, Cutting(NothingThere(frame.raster), 0..<0, 0..<0))),
-    "$code // and after half of the primitives, $MILLIONS that cover nothing",
+    "$code\n    .let { SuiteFrames.behindMillions(it) }",
 )
 
 /** More than a float can represent exactly. */

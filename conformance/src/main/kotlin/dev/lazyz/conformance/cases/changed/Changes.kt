@@ -76,7 +76,7 @@ internal fun FrameCase.inOrder(order: List<Int>): FrameCase = FrameCase(
 /** Returns the frame with a primitive that covers nothing, but has the raster's bounds, before each primitive. */
 internal fun FrameCase.padded(): FrameCase = FrameCase(
     Frame(frame.raster, frame.primitives.flatMap { listOf(NothingThere(frame.raster), it) }),
-    "$code // and before each primitive one that covers nothing, with the raster's bounds",
+    "$code\n    .let { SuiteFrames.padded(it) }",
 )
 
 /** Returns the frame without translucency. */

@@ -48,6 +48,6 @@ internal fun FrameCase.dazzling(): FrameCase {
     val raster = frame.raster.withBackground(Rgba(0.25f, 0.5f, 0.125f, 0f))
     return FrameCase(
         Frame(raster, frame.primitives.mapIndexed { index, it -> it.recoloured(Dazzle(index)) }, frame.region),
-        "$code // with light without bounds and alphas of mostly 0 and 1, on ${code(raster)}",
+        "$code\n    .let { SuiteFrames.dazzling(it) }",
     )
 }

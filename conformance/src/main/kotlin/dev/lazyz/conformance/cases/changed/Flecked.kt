@@ -35,6 +35,6 @@ internal fun FrameCase.flecked(): FrameCase {
     }
     return FrameCase(
         Frame(frame.raster, primitives, frame.region),
-        "$code // each primitive of one colour with flecks of another, every other one without a shading cursor",
+        "$code\n    .let { SuiteFrames.flecked(it) }",
     )
 }

@@ -20,6 +20,6 @@ internal fun FrameCase.halfHeavyAndDark(): FrameCase {
     val primitives = frame.primitives.mapIndexed { index, it -> if (index % 2 == 1) HeavyAndDark(it) else it }
     return FrameCase(
         Frame(frame.raster, primitives, frame.region),
-        "$code // with every second primitive black, with alpha 0, and holding a megabyte",
+        "$code\n    .let { SuiteFrames.halfHeavyAndDark(it) }",
     )
 }

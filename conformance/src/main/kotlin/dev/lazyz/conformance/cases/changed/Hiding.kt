@@ -9,23 +9,31 @@ import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.conformance.cases.Stripe
 import java.util.Random
 
+/** Where a primitive is that is invisible. */
+internal enum class HidingPlace(private val primitive: (Frame) -> Primitive?) {
+    NOWHERE({ NothingThere(it.raster) }),
+    BEHIND_EVERYTHING({
+        with(it.raster) { Stripe(0..<width, 0..<height, Rasters.behindAll(depthTest)) }
+    }),
+    OUTSIDE_THE_REGION(::besides),
+    ;
+
+    /** Returns a primitive there; null if [frame] has no such place. */
+    fun primitive(frame: Frame): Primitive? = primitive.invoke(frame)
+}
+
 /** Returns variants of this frame, each with one additional translucent primitive that is invisible. */
-internal fun FrameCase.withHiddenGlass(random: Random): List<FrameCase> {
-    val raster = frame.raster
-    val hidden = linkedMapOf<String, Primitive>(
-        "covers nothing" to NothingThere(raster),
-        "lies behind everything" to
-            Stripe(0..<raster.width, 0..<raster.height, Rasters.behindAll(raster.depthTest)),
+internal fun FrameCase.withHiddenGlass(random: Random): List<FrameCase> =
+    HidingPlace.entries.filter { it.primitive(frame) != null }
+        .map { withHiddenGlass(random.nextInt(frame.primitives.size + 1), it) }
+
+/** Returns this frame with a translucent primitive as number [index], at a [place] that there must be. */
+internal fun FrameCase.withHiddenGlass(index: Int, place: HidingPlace): FrameCase {
+    val hidden = Glass(checkNotNull(place.primitive(frame)))
+    return FrameCase(
+        Frame(frame.raster, frame.primitives.take(index) + hidden + frame.primitives.drop(index), frame.region),
+        "$code\n    .let { SuiteFrames.withHiddenGlass(it, $index, \"$place\") }",
     )
-    besides(frame)?.let { hidden["lies outside the region"] = it }
-    return hidden.map { (where, primitive) ->
-        val index = random.nextInt(frame.primitives.size + 1)
-        val all = frame.primitives.take(index) + Glass(primitive) + frame.primitives.drop(index)
-        FrameCase(
-            Frame(raster, all, frame.region),
-            "$code // and a translucent primitive as number $index, which $where",
-        )
-    }
 }
 
 /** Returns a primitive that covers the samples on one side of the region; null if the region is the whole raster. */

@@ -62,5 +62,5 @@ internal fun FrameCase.partlyColoured(): FrameCase {
     var number = 0
     val changed = scene?.withMaterials { it.withShader(partial(number++)) }?.frame(frame.raster)
         ?: Frame(frame.raster, frame.primitives.mapIndexed { i, it -> WithShader(it, partial(i)) }, frame.region)
-    return FrameCase(changed, "$code // with shaders that set a colour at some samples only")
+    return FrameCase(changed, "$code\n    .let { SuiteFrames.partlyColoured(it) }")
 }

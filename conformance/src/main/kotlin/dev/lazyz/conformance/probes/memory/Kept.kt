@@ -8,6 +8,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
+import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.threads.Workers
 import dev.lazyz.conformance.probes.ways
@@ -46,7 +47,7 @@ private fun keepsNothing(renderer: Renderer, executor: Executor, moment: String)
 
 private fun renderedByTwo(renderer: Renderer): List<WeakReference<Any>> {
     val frame = Workers(Thread.currentThread()) {}.frame
-    renderer.render(frame) { _, _, _, _ -> }
+    renderer.inTime(frame) { _, _, _, _ -> }
     return listOf(frame, frame.primitives.first()).map { WeakReference(it) }
 }
 
@@ -78,6 +79,6 @@ private fun rendered(renderer: Renderer, end: End): List<WeakReference<Any>> {
         override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) =
             check(end != End.SINK_THREW || y < 4) { "enough" }
     }
-    answer { renderer.render(frame, sink) }
+    answer { renderer.inTime(frame, sink) }
     return listOf(frame, primitive, sink).map { WeakReference(it) }
 }

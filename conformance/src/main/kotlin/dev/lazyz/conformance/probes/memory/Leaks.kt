@@ -6,6 +6,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
+import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.judgement.notMeasured
 import dev.lazyz.conformance.probes.failAll
 import dev.lazyz.conformance.probes.renderAll
@@ -36,7 +37,7 @@ internal fun leavesNoSizes(renderer: Renderer, options: RenderOptions) {
     // Each picture is narrower than the one before, so what is kept for the latest one only gets smaller
     var width = WIDEST
     doesNotGrow(renderer, "$RENDERINGS renderings, each of another width,") {
-        configured.render(Frame(Raster(width, ROWS), listOf(Stripe(0..<width, 0..<ROWS, DEPTH)))) { _, _, _, _ -> }
+        configured.inTime(Frame(Raster(width, ROWS), listOf(Stripe(0..<width, 0..<ROWS, DEPTH)))) { _, _, _, _ -> }
         width -= NARROWER
     }
 }

@@ -14,6 +14,7 @@ import dev.lazyz.conformance.cases.Glass
 import dev.lazyz.conformance.cases.Once
 import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
+import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.ways
 import dev.lazyz.world.Camera
@@ -44,8 +45,8 @@ internal fun constantMemory(renderer: Renderer) {
 private fun constantMemory(renderer: Renderer, kind: KindOfWork) {
     // Several threads may process several blocks of rows at a time, but not more of them for a higher picture
     val configured = renderer.configured(kind.options(threads = 2))
-    val few = configured.render(stripes(kind, NARROW, FEW_ROWS), DISCARD).peakBytes
-    val many = configured.render(stripes(kind, NARROW, MANY_ROWS), DISCARD).peakBytes
+    val few = configured.inTime(stripes(kind, NARROW, FEW_ROWS), DISCARD).peakBytes
+    val many = configured.inTime(stripes(kind, NARROW, MANY_ROWS), DISCARD).peakBytes
     val what = "${kind.name.lowercase()} primitives: "
     if (many > few + few / 8 + Long.SIZE_BYTES) {
         fail(renderer, "${what}peakBytes is $few for $FEW_ROWS rows of $NARROW samples, $many for $MANY_ROWS")
@@ -75,7 +76,7 @@ internal fun holdsWhatItReports(renderer: Renderer) {
 }
 
 private fun holdsWhatItReports(renderer: Renderer, what: String, rows: Int, frame: (onQuery: (Int) -> Unit) -> Frame) {
-    val reported = renderer.render(frame {}, DISCARD).peakBytes
+    val reported = renderer.inTime(frame {}, DISCARD).peakBytes
     if (reported <= 0) return
     Heap.requireAtMost(MOST_TIMES * reported + REPORT_ALLOWANCE, { heldForRows(renderer, rows, frame) }) {
         fail(renderer, "$what: peakBytes is $reported, but they hold $it")
@@ -102,7 +103,7 @@ private fun stripes(kind: KindOfWork, width: Int, rows: Int, onQuery: (Int) -> U
 private fun heldForRows(renderer: Renderer, rows: Int, frame: (onQuery: (Int) -> Unit) -> Frame): HeapContent =
     Heap.most { measure ->
         val last = Once(rows - 1, measure)
-        renderer.render(frame(last)) { y, _, _, _ -> if (y == 0 || y == rows - 1) measure() }
+        renderer.inTime(frame(last)) { y, _, _, _ -> if (y == 0 || y == rows - 1) measure() }
     }
 
 private const val FEW_PRIMITIVES = 2048
@@ -120,8 +121,8 @@ internal fun constantMemoryInPrimitives(renderer: Renderer) {
 }
 
 private fun constantMemoryInPrimitives(renderer: Renderer, order: Order) {
-    val few = renderer.render(arriving(order, FEW_PRIMITIVES), DISCARD).peakBytes
-    val many = renderer.render(arriving(order, MANY_PRIMITIVES), DISCARD).peakBytes
+    val few = renderer.inTime(arriving(order, FEW_PRIMITIVES), DISCARD).peakBytes
+    val many = renderer.inTime(arriving(order, MANY_PRIMITIVES), DISCARD).peakBytes
     if (many > few + PRIMITIVES_ALLOWANCE) {
         fail(renderer, "peakBytes is $few for $FEW_PRIMITIVES primitives $order, $many for $MANY_PRIMITIVES")
     }
@@ -162,7 +163,7 @@ private fun arriving(order: Order, count: Int, onQuery: (Int) -> Unit = {}): Fra
 
 /** Returns what is held when the last primitive is queried, and when the first row is delivered. */
 private fun heldForArrivals(renderer: Renderer, order: Order, count: Int): HeapContent = Heap.most { measure ->
-    renderer.render(arriving(order, count, Once(count - 1, measure))) { y, _, _, _ -> if (y == 0) measure() }
+    renderer.inTime(arriving(order, count, Once(count - 1, measure))) { y, _, _, _ -> if (y == 0) measure() }
 }
 
 private const val SIDE = 512
@@ -173,15 +174,22 @@ private const val SHARERS = 32
 /** Allowed bytes beyond a budget, in addition to a quarter of it: renderers count arrays, but not their headers. */
 private const val BUDGET_ALLOWANCE = 256L * 1024
 
+/** Bytes of the image: 12 a sample, see rule 7.6. */
+private const val IMAGE_BYTES = 12L * SIDE * SIDE
+
 /**
- * Fails if the heap holds more than a budget in addition to the image's memory, which is what a picture of one large
- * primitive takes.
+ * Fails if the heap holds more than a budget in addition to the image's memory: for one large primitive, in bytes a
+ * sample, and for many small ones in comparison with it.
  */
 internal fun budgetOnTheHeap(renderer: Renderer) {
     val plain = listOf(0..<SIDE to 0..<SIDE)
     val speckles = List(SIDE * SHARERS) { (it % SHARERS..<SIDE step SHARERS) to (it / SHARERS..it / SHARERS) }
     for (budget in listOf(0L, 1_000_000L)) {
         val configured = renderer.configured(RenderOptions(memoryBudget = budget, threads = 1))
+        val most = IMAGE_BYTES + budget + budget / 4 + BUDGET_ALLOWANCE
+        Heap.requireAtMost(most, { heldForColours(configured, plain) }) {
+            fail(renderer, "the budget is $budget bytes, the image takes $IMAGE_BYTES, but one colour holds $it")
+        }
         val held = { heldForColours(configured, speckles) - heldForColours(configured, plain) }
         Heap.requireAtMost(budget + budget / 4 + BUDGET_ALLOWANCE, held) {
             fail(renderer, "the budget is $budget bytes, but many colours hold $it than one colour")
@@ -277,6 +285,6 @@ private fun heldForColours(
     val primitives = places.mapIndexed { index, (columns, rows) -> Stripe(columns, rows, 1000) { onQuery(index) } }
     return Heap.most { measure ->
         onQuery = Once(places.lastIndex, measure)
-        renderer.render(Frame(Raster(width, SIDE), primitives)) { y, _, _, _ -> if (y == 0) measure() }
+        renderer.inTime(Frame(Raster(width, SIDE), primitives)) { y, _, _, _ -> if (y == 0) measure() }
     }
 }

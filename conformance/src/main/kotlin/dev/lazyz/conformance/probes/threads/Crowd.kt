@@ -49,7 +49,7 @@ internal class Crowd(
     /** Returns the same frame without meetings. */
     fun quiet(): FrameCase = FrameCase(
         Crowd(salt, where, null, kind).frame,
-        "// $COUNT primitives that cover $SIDE x $SIDE samples and make threads meet, number $salt",
+        "SuiteFrames.crowd(${salt}L, \"$where\", \"$kind\")",
     )
 
     /** Returns the step of a sample, for threads that visit rows from left to right. */

@@ -16,6 +16,7 @@ import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.fail
+import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.judgement.withoutMemory
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 
@@ -69,11 +70,11 @@ internal fun countsEachTileOnce(renderer: Renderer) {
     for (coherence in listOf(Coherence.DIRECT, Coherence.INCREMENTAL)) {
         if (coherence != Coherence.DIRECT && Capability.COHERENCE !in renderer.capabilities) continue
         fun configured(threads: Int) = renderer.configured(RenderOptions(coherence, threads = threads, tileSize = 8))
-        val one = configured(1).render(frame) { _, _, _, _ -> }
+        val one = configured(1).inTime(frame) { _, _, _, _ -> }
         val several = configured(4)
         repeat(RENDERINGS) {
             TryUnderWay.current?.goesOn()
-            val counters = several.render(frame) { _, _, _, _ -> }
+            val counters = several.inTime(frame) { _, _, _, _ -> }
             if (counters.withoutMemory() != one.withoutMemory()) {
                 val what = "3 primitives that cover $WIDTH x $HEIGHT samples, $coherence"
                 fail(renderer, "$what: one thread counts $one, but four count $counters")

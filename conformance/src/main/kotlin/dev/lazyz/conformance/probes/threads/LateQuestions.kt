@@ -3,6 +3,7 @@ package dev.lazyz.conformance.probes.threads
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.conformance.judgement.Judgement
+import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.probes.answer
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.LockSupport
@@ -33,7 +34,7 @@ private class LateQuestions(private val renderer: Renderer, private val isSinkTo
     fun count(): Int? {
         val workers = Workers(Thread.currentThread(), { if (!isSinkToFail) throw planted }) { delay() }
         val sink = RowSink { _, _, _, _ -> if (isSinkToFail) throw planted }
-        answer { renderer.render(workers.frame, sink) }
+        answer { renderer.inTime(workers.frame, sink) }
         hasEnded = true
         if (!workers.hasWorker) return null
         Thread.sleep(PATIENCE)

@@ -9,7 +9,9 @@ import dev.lazyz.Renderer
 import dev.lazyz.Selector
 import dev.lazyz.conformance.cases.Glass
 import dev.lazyz.conformance.cases.Stripe
+import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.judgement.fail
+import dev.lazyz.conformance.judgement.inTime
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicInteger
 
@@ -67,27 +69,32 @@ private fun mostAtOnce(configured: Renderer, kind: KindOfWork, pause: Long): Int
         if (pauses.getAndIncrement() < SIDE) Thread.sleep(pause)
         asking.decrementAndGet()
     }
-    configured.render(Frame(Raster(SIDE, SIDE), listOf(kind.of(stripe)))) { _, _, _, _ -> }
+    configured.inTime(Frame(Raster(SIDE, SIDE), listOf(kind.of(stripe)))) { _, _, _, _ -> }
     return most.get()
 }
 
 /** Fails if a picture that takes a while is rendered by a single thread. */
 internal fun severalThreads(renderer: Renderer, kind: KindOfWork) {
     val configured = renderer.configured(kind.options(threads = 4))
-    repeat(ATTEMPTS) {
+    repeat(ATTEMPTS) { attempt ->
+        TryUnderWay.current?.goesOn()
         val threads = ConcurrentHashMap.newKeySet<Thread>()
         val seen = ConcurrentHashMap.newKeySet<Int>()
 
-        // Each first query of a row takes a millisecond, so that no thread finishes before the others have started
+        // Each first query of a row takes a while, so that no thread finishes before the others have started: longer in
+        // each attempt, because a busy machine starts them late
+        fun pause() {
+            if (threads.size == 1) Thread.sleep(1L shl attempt * 2)
+        }
         val stripe = Stripe(0..<SIDE, 0..<SIDE, 1000) { y ->
             threads.add(Thread.currentThread())
-            if (seen.add(y)) Thread.sleep(1)
+            if (seen.add(y)) pause()
         }
         val shaded = Stripe(0..<SIDE, 0..<SIDE, 500) {
             threads.add(Thread.currentThread())
-            Thread.sleep(1)
+            pause()
         }
-        configured.render(Frame(Raster(SIDE, SIDE), listOf(stripe, shaded).map(kind::of))) { _, _, _, _ -> }
+        configured.inTime(Frame(Raster(SIDE, SIDE), listOf(stripe, shaded).map(kind::of))) { _, _, _, _ -> }
         if (threads.size > 1) return
     }
     fail(configured, "one thread made all queries for a picture of $SIDE x $SIDE samples, although 4 are allowed")

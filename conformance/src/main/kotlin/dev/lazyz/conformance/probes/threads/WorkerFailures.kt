@@ -4,6 +4,7 @@ import dev.lazyz.Image
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.changed.watched
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Recorder
 import dev.lazyz.conformance.judgement.Rendering
@@ -73,8 +74,10 @@ private fun completesOrThrowsOnce(renderer: Renderer, isBefore: Boolean) {
     val thread = Thread(rendering, "lazyz-interrupted")
     thread.isDaemon = true
     thread.start()
-    thread.join(PATIENCE)
-    val what = if (thread.isAlive) "hangs" else rendering.complaint(quiet) ?: return
+
+    // A thread that hangs makes the try hang, which has a deadline
+    thread.join()
+    val what = rendering.complaint(quiet) ?: return
     val moment = if (isBefore) "before it renders" else "while it waits for other threads"
     Judgement(renderer, quiet, "a thread that is interrupted $moment").fail(what, rendering.thrown)
 }
@@ -89,9 +92,9 @@ internal fun finishesIfWorkersAreInterrupted(renderer: Renderer) {
         // Who looks at the frame of a failure afterwards is not interrupted
         val isOver = AtomicBoolean()
         val workers = Workers(Thread.currentThread()) { if (!isOver.get()) Thread.currentThread().interrupt() }
-        val case = FrameCase(workers.frame, "$quiet, which interrupt other threads than the caller")
+        val case = quiet.watched(workers.frame)
         try {
-            Judgement(renderer, case).equalsPictureOf(ReferenceRenderer())
+            Judgement(renderer, case, "primitives that interrupt other threads").equalsPictureOf(ReferenceRenderer())
         } finally {
             isOver.set(true)
         }
@@ -141,7 +144,7 @@ private const val NEVER = Long.MIN_VALUE
 /** Nanoseconds from the first query of a worker in which workers wait for an interrupt. */
 private const val BRIEF = 20_000_000L
 
-/** Milliseconds after which the rendering of a small frame counts as hanging. */
+/** Milliseconds to wait for the tasks of a failed rendering to end. */
 private const val PATIENCE = 20_000L
 
 private class InterruptedCaller(private val renderer: Renderer, private val isBefore: Boolean) : Runnable {

@@ -75,7 +75,7 @@ internal class Workers(
 
         /** Returns the frame with primitives that do not distinguish threads. */
         fun quiet(): FrameCase =
-            FrameCase(Workers(Thread.currentThread()) {}.frame, "// $COUNT primitives that cover $SIDE x $SIDE samples")
+            FrameCase(Workers(Thread.currentThread()) {}.frame, "SuiteFrames.workers()")
     }
 }
 

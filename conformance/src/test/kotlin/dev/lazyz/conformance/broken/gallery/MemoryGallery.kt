@@ -28,6 +28,11 @@ internal object MemoryGallery {
         Mutant(::notesPrimitives, "promises to stream primitives, but stores the bounds of each", arrivals),
         Mutant(BrokenPromises::reportsAByte, "reports one byte, whatever it holds", held),
         Mutant(::reportsTheBudgetAsKept, "ignores the memory budget, but reports that it is kept", heap),
+        Mutant(
+            BrokenPromises::holdsTheImageTwice,
+            "promises to stay within a budget, but holds the image twice, with any budget",
+            heap, RuleNames.budget,
+        ),
         Mutant(BrokenReuse::keepsShortSpans, "keeps to the budget, but for the places of short spans", heap),
         Mutant(BrokenReuse::keepsHeavyPrimitives, "keeps all primitives that come one by one, in any budget", heap),
         Mutant(

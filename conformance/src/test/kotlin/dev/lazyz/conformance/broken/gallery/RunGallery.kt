@@ -16,6 +16,9 @@ object RunGallery {
     /** Ignores interrupts; ends only with the process. */
     fun spins() = whereThereIsSomething("spins") { while (true) Thread.onSpinWait() }
 
+    /** Never ends, but runs a little now and then. */
+    fun dozes() = whereThereIsSomething("dozes") { while (true) Thread.sleep(5) }
+
     /** Waits for its own thread, which never signals. */
     fun waits() = whereThereIsSomething("waits") {
         val never = CountDownLatch(1)

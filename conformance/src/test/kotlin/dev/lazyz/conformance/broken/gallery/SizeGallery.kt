@@ -43,6 +43,16 @@ internal object SizeGallery {
         Mutant(BrokenSizes::noTilesBeyondTheFirstOf256, "tiles of 256 right of or below the first are lost", tiles),
         Mutant(BrokenReuse::placesOf16Bits, "a place within a tile has 16 bits", RuleNames.tileSizes),
         Mutant(
+            BrokenSizes::elevenBitsOfATile,
+            "what is visible in a tile of 64 x 64 samples has numbers of eleven bits",
+            RuleNames.tileSizes,
+        ),
+        Mutant(
+            BrokenSizes::sortsByRecursion,
+            "the fragments of a sample are sorted by calls as deep as there are fragments, if they come in order",
+            RuleNames.millionOfARow, million,
+        ),
+        Mutant(
             BrokenReuse::losesATriangleOfBlocks,
             "of many triangles one is lost where a region begins within a block of eight rows",
             RuleNames.layersOfRegion,

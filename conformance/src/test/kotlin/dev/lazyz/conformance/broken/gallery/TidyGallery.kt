@@ -63,7 +63,7 @@ internal object TidyGallery {
 
     /** The thread ends by itself, so that the process of this test can end. */
     private fun keepsTheProcessAlive() = having("keeps-the-process-alive") {
-        Thread({ Thread.sleep(3000) }, "kept").apply { isDaemon = false }.start()
+        Thread({ Thread.sleep(10_000) }, "kept").start()
     }
 
     private fun leavesAFile() = having("leaves-a-file") {

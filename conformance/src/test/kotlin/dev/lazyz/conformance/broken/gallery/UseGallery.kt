@@ -49,6 +49,7 @@ internal object UseGallery {
         ),
         Mutant(BrokenManners::widthOf97, "one width is wrong, which only a user's frame has", frames),
         Mutant(BrokenRenderers::pictureDependsOnOptions, "the picture changes if options are set", options),
+        Mutant(BrokenManners::configuresItself, "`configured` sets the options of the renderer itself", options),
         Mutant(BrokenManners::racyMerge, "the second thread's result overwrites the first thread's", options),
         Mutant(BrokenManners::tileSeam, "the first column of a tile is a copy of the one before", options),
         Mutant(BrokenManners::swallowsExceptions, "what a primitive throws is swallowed", accidents),
