@@ -85,6 +85,13 @@ class HaltedRenderer : FailingRenderer("halted", { IllegalStateException() }) {
     }
 }
 
+/** Never ends, but runs a little now and then. */
+class DozingRenderer : FailingRenderer("dozing", ::doze)
+
+private fun doze(): Nothing {
+    while (true) Thread.sleep(5)
+}
+
 /** Its constructor never returns. */
 class EternalRenderer : FailingRenderer("eternal", { IllegalStateException() }) {
     init {

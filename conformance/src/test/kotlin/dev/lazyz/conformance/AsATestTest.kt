@@ -3,6 +3,7 @@ package dev.lazyz.conformance
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.broken.BrokenPromises
 import dev.lazyz.conformance.broken.WrongColors
+import dev.lazyz.conformance.broken.gallery.RunGallery
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.results.SuiteRule
@@ -13,6 +14,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.writeText
 import kotlin.reflect.KClass
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -22,6 +24,7 @@ import org.junit.platform.engine.TestExecutionResult
 import org.junit.platform.engine.TestExecutionResult.Status
 import org.junit.platform.engine.discovery.DiscoverySelectors.selectClass
 import org.junit.platform.engine.discovery.DiscoverySelectors.selectMethod
+import org.junit.platform.engine.reporting.ReportEntry
 import org.junit.platform.engine.support.descriptor.MethodSource
 import org.junit.platform.launcher.EngineFilter.includeEngines
 import org.junit.platform.launcher.TestExecutionListener
@@ -45,6 +48,14 @@ class AsATestTest {
         override fun renderer(): Renderer = BrokenPromises.reportsNoMemory()
     }
 
+    /** Never ends, but runs a little now and then, so that it is not known whether it is too slow. */
+    class Dozing : RendererConformance() {
+        override fun renderer(): Renderer = RunGallery.dozes()
+    }
+
+    /** What rules publish, by their names. */
+    private val published = LinkedHashMap<String, MutableList<String>>()
+
     /** Runs the rules named [rules], or all. */
     private fun run(
         vararg rules: String,
@@ -55,6 +66,11 @@ class AsATestTest {
         val listener = object : TestExecutionListener {
             override fun executionFinished(test: TestIdentifier, result: TestExecutionResult) {
                 (test.source.orElse(null) as? MethodSource)?.let { results[it.methodName] = result }
+            }
+
+            override fun reportingEntryPublished(test: TestIdentifier, entry: ReportEntry) {
+                val name = (test.source.get() as MethodSource).methodName
+                published.getOrPut(name) { ArrayList() } += entry.keyValuePairs.values
             }
         }
         val request = LauncherDiscoveryRequestBuilder.request()
@@ -99,6 +115,25 @@ class AsATestTest {
             val loaded = Scenes.load(kept.resolve("$scenes.json"))
             val frame = loaded.scene.frame(loaded.raster(loaded.size!!.width, loaded.size!!.height))
             assertNotNull(difference(ReferenceRenderer().render(frame), WrongColors().render(frame)))
+        }
+    }
+
+    @Test
+    fun skippedRuleHasOneLine() {
+        assertEquals(Status.ABORTED, run(promise).getValue(promise).status)
+        assertEquals(mapOf(promise to listOf("not supported: SHADES_ONLY_VISIBLE is not declared")), published)
+    }
+
+    /** Build tools count an exception that is no `AssertionError` as an error, not as a failure. */
+    @Test
+    fun inconclusiveRuleIsAnError() {
+        SuiteRun.withProperty(RendererConformance.DEADLINE, "0.3") {
+            val result = run(nearest, subject = Dozing::class).getValue(nearest)
+            val thrown = result.throwable.get()
+            assertEquals(Status.FAILED, result.status)
+            assertFalse(thrown is AssertionError)
+            assertTrue(thrown.message.orEmpty().startsWith("inconclusive: was not over after 3 s"), thrown.message)
+            assertTrue("-Dlazyz.conformance.deadline=" in thrown.message.orEmpty(), thrown.message)
         }
     }
 

@@ -1,6 +1,7 @@
 package dev.lazyz.cli.conformance
 
 import dev.lazyz.cli.CapableRenderer
+import dev.lazyz.cli.DozingRenderer
 import dev.lazyz.cli.EternalRenderer
 import dev.lazyz.cli.ExitingRenderer
 import dev.lazyz.cli.FickleRenderer
@@ -280,10 +281,22 @@ class ConformanceTest {
         for (where in listOf(arrayOf("--in-process"), arrayOf())) {
             val run = zcli("conformance", *where, *words)
             assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
-            val reported = "eternal does NOT conform: making the renderer was not over after 0.5 s; it is at"
+            val reported = "eternal does NOT conform: making the renderer was not over after 0.5 s in which no thread was " +
+                "running; it is at"
             assertTrue(reported in run.errors && "EternalRenderer.<init>" in run.errors, run.errors)
             assertEquals("", run.text)
         }
+    }
+
+    /** It runs a little now and then, as on a machine that is very busy. */
+    @Test
+    fun whatCannotBeJudgedHasAnExitCodeOfItsOwn() {
+        val jar = jar(DozingRenderer::class.java)
+        val rule = "rule_9_6_framesWithoutPrimitivesShowTheBackground"
+        val run = judge("--strategy", "dozing", "--classpath", jar, "--rule", rule, "--deadline", "0.3")
+        assertEquals(ExitCode.INCONCLUSIVE, run.code, run.errors)
+        assertTrue("dozing may conform, this run is inconclusive: 1 rule, 1 inconclusive" in run.text, run.text)
+        assertTrue("with a longer deadline (zcli: --deadline SECONDS" in run.text, run.text)
     }
 
     @Test

@@ -101,11 +101,13 @@ public class RuleResult internal constructor(
 
     override fun toString(): String = "$rule: ${outcome.words}"
 
-    private companion object {
-        const val WHERE_IT_LOOPS = "The stack in the message says where it is: look for a loop that does not end, or " +
+    internal companion object {
+        private const val WHERE_IT_LOOPS = "The stack in the message says where it is: look for a loop that does not end, or " +
             "that takes very long."
-        const val WHERE_IT_WAITS = "The stack in the message says where it is: look for a thread that waits for what " +
+        private const val WHERE_IT_WAITS = "The stack in the message says where it is: look for a thread that waits for what " +
             "never comes."
+        private const val WHAT_TO_DO = "Run it again while the machine has less other work, or with a longer deadline " +
+            "(zcli: --deadline SECONDS; as a test: -Dlazyz.conformance.deadline=SECONDS)."
 
         /** Where to look if the renderer crashed; null if it did not. */
         fun crashLook(thrown: Throwable): String? = when {
@@ -123,8 +125,6 @@ public class RuleResult internal constructor(
 
             else -> null
         }
-        const val WHAT_TO_DO = "Run it again while the machine has less other work, or with a longer deadline " +
-            "(zcli: --deadline SECONDS; as a test: -Dlazyz.conformance.deadline=SECONDS)."
     }
 }
 

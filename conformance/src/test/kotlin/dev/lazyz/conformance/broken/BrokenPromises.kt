@@ -10,6 +10,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
+import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.hybrid.Hybrid
 import dev.lazyz.strategies.lazy.LazyZBuffer
@@ -21,10 +22,23 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 object BrokenPromises {
     fun memoryGrows() = claiming("memory-grows-with-rows", Capability.CONSTANT_MEMORY, ZBuffer())
 
-    /** Counts the covered samples of the whole raster, whatever the region is. */
+    /** Counts spans as they are, although parts of them are outside the columns of the region. */
     fun countsOutsideTheRegion() = BrokenRenderer("counts-outside-the-region") { frame, sink ->
-        val all = ZBuffer().render(Frame(frame.raster, frame.primitives)) { _, _, _, _ -> }.fragments
-        ZBuffer().render(frame, sink).toBuilder().apply { fragments = all }.build()
+        var more = 0L
+        val region = frame.region
+        val heard = frame.primitives.map { primitive ->
+            object : Recovered(primitive) {
+                override fun spans(y: Int, spans: Spans) {
+                    whole.spans(y, spans)
+                    val all = Spans().also { whole.spans(y, it) }
+                    for (i in 0 until all.count) {
+                        val inside = minOf(all.end(i), region.columnEnd) - maxOf(all.start(i), region.columnStart)
+                        more += all.end(i) - all.start(i) - maxOf(inside, 0)
+                    }
+                }
+            }
+        }
+        ZBuffer().render(Frame(frame.raster, heard, region), sink).toBuilder().apply { fragments += more }.build()
     }
 
     /** Promises to stay within a budget, but holds as much as the image once more, and reports it. */

@@ -2,16 +2,20 @@ package dev.lazyz.conformance.results
 
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.conformance.SuiteRun
+import dev.lazyz.conformance.broken.BrokenManners
 import dev.lazyz.conformance.broken.BrokenRenderers
 import dev.lazyz.conformance.broken.gallery.Gallery
 import dev.lazyz.conformance.broken.gallery.Mutant
 import dev.lazyz.conformance.broken.gallery.RuleNames
+import dev.lazyz.conformance.broken.gallery.RunGallery
+import dev.lazyz.conformance.judgement.ProcessEnded
 import dev.lazyz.conformance.rules.Symptom
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.readLines
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
@@ -122,6 +126,50 @@ class DiagnosisTest {
         val causes = causes(broken(names.extremes, *glass), broken(names.blend, *glass))
         assertEquals(listOf(names.blend, names.extremes), causes)
         assertEquals(listOf(names.extremes), causes(broken(names.extremes, *glass)))
+    }
+
+    /** What is wrong most often is said instead of that something is. */
+    @Test
+    fun wrongPictureInGeneralIsTheLastCause() {
+        val depth = arrayOf(Symptom.PICTURE, Symptom.DEPTH)
+        val all = arrayOf(broken(names.nearest, *depth), broken(names.own, *depth), broken(names.empty, *depth))
+        val first = Diagnosis.ofBroken(all.toList()).causes.first()
+        assertEquals(names.nearest, first.rule.name)
+        assertEquals("in 3 of 3 failures the correct primitive has a wrong depth", first.why)
+        val ties = arrayOf(Symptom.PICTURE, Symptom.TIE, Symptom.GREATEST_WINS)
+        val tied = listOf(names.nearest, names.ties, names.own, names.options).map { broken(it, *ties) }
+        assertEquals(names.ties, Diagnosis.ofBroken(tied).causes.first().rule.name)
+        assertTrue(Diagnosis.ofBroken(tied).causes.indexOfFirst { it.rule.name == names.nearest } != 1)
+    }
+
+    @Test
+    fun rowsInAnotherOrderAreTheCause() {
+        val report = Conformance { BrokenRenderers.bottomUp() }.tries(0.1).withoutShrinking()
+            .rule(names.rows).rule(names.region).rule(names.together).run()
+        assertEquals(names.rows, report.diagnosis.causes.first().rule.name, report.toText())
+        assertFalse("wrong only after other frames" in report.toText(), report.toText())
+    }
+
+    @Test
+    fun configuredThatChangesItsRendererIsTheCause() {
+        val report = Conformance { BrokenManners.configuresItself() }.tries(0.1).withoutShrinking()
+            .rule(names.options).rule(names.selects).rule("6.1").run()
+        val cause = report.diagnosis.causes.first()
+        assertEquals(names.options, cause.rule.name, report.toText())
+        assertTrue("configured() changes the renderer itself" in report.toText(), report.toText())
+    }
+
+    @Test
+    fun crashesHaveHintsOfTheirOwn() {
+        val hints = mapOf(RunGallery.exhausts() to "arrays that are sized by", RunGallery.recurses() to "recursion whose depth")
+        for ((renderer, hint) in hints) {
+            val report = Conformance { renderer }.tries(0.05).withoutShrinking().rule(names.nearest).rule(names.ties).run()
+            val (cause) = report.diagnosis.causes
+            assertTrue(hint in cause.look, report.toText())
+            assertTrue("failures the renderer throws java.lang." in cause.why, cause.why)
+            assertEquals(1, report.diagnosis.causes.size, "the same crash once")
+        }
+        assertTrue("System.exit" in RuleResult.crashLook(ProcessEnded("ended")).orEmpty())
     }
 
     @Test

