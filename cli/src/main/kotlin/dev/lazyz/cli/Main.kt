@@ -26,8 +26,8 @@ fun main(args: Array<String>) {
 
 /**
  * Runs zcli on the given streams, without a terminal, and returns its exit code: 0 if all is done, 1 if pictures differ
- * or a strategy does not conform, 2 after a mistake of the user or a bad file, 70 after a bug in zcli, 75 if the machine
- * was too busy to tell whether a strategy conforms.
+ * or a strategy does not conform, 2 after a mistake of the user or a bad file, 70 after a bug in zcli, 75 if the
+ * machine was too busy to tell whether a strategy conforms.
  */
 fun run(args: Array<String>, stdin: InputStream, stdout: OutputStream, stderr: PrintStream): Int =
     run(args, Streams(stdin, stdout, stderr))

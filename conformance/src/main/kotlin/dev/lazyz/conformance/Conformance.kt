@@ -73,9 +73,9 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
     }
 
     /**
-     * Sets the deadline of each rendering, as processor time of its busiest thread; by default 20 seconds. A rule with a
-     * rendering that takes longer has timed out, also if no thread runs for as long. If ten times as long passes on the
-     * clock on the wall, the rule is inconclusive: the machine has too much other work. After three such rules, the
+     * Sets the deadline of each rendering, as processor time of its busiest thread; by default 20 seconds. A rule with
+     * a rendering that takes longer has timed out, also if no thread runs for as long. If ten times as long passes on
+     * the clock on the wall, the rule is inconclusive: the machine has too much other work. After three such rules, the
      * remaining rules are not run.
      *
      * @throws IllegalArgumentException if [deadline] is not positive

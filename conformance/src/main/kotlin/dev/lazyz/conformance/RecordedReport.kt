@@ -50,7 +50,8 @@ public class RecordedReport private constructor(
     public fun differences(report: ConformanceReport): List<String> = report.results.mapNotNull { result ->
         val recorded = outcomes[result.rule.name]
         val actual = ReportJson.key(result.outcome)
-        if (recorded == actual || INCONCLUSIVE in setOf(recorded, actual)) null else "${result.rule}: recorded ${recorded ?: "nothing"}, now $actual"
+        val isSame = recorded == actual || INCONCLUSIVE in setOf(recorded, actual)
+        if (isSame) null else "${result.rule}: recorded ${recorded ?: "nothing"}, now $actual"
     }
 
     override fun toString(): String = "RecordedReport($strategy, seed $seed, tries $tries, ${outcomes.size} rules)"

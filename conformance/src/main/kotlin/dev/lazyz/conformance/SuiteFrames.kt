@@ -29,8 +29,8 @@ import dev.lazyz.conformance.probes.threads.Workers
 
 /**
  * The frames of rules that a report names by a call, such as `SuiteFrames.textured(3659L)`, because their code would be
- * too long. Each call with the same arguments returns an equal frame, so that a program or a test can render the frame of
- * a report. Thread safe.
+ * too long. Each call with the same arguments returns an equal frame, so that a program or a test can render the frame
+ * of a report. Thread safe.
  */
 public object SuiteFrames {
     /** An uneven sheet of small triangles, and some large ones, with textures. */

@@ -93,8 +93,8 @@ public class Supervision @JvmOverloads constructor(
     }
 
     /**
-     * Waits for the process to end. Returns why it is not awaited further if its journal does not change for too long; a
-     * slow process is fine.
+     * Waits for the process to end. Returns why it is not awaited further if its journal does not change for too long;
+     * a slow process is fine.
      */
     private fun awaitEnd(process: Process, follower: JournalFollower): Lateness? {
         var state: Pair<Long, FileTime>? = null

@@ -96,10 +96,9 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private val deadline by option(
         "--deadline",
-        help = "Seconds of processor time until a rendering times out; default: 20. If ten times as long passes on the " +
-            "wall, the rule is inconclusive: the machine is too busy",
-    )
-        .number("S", LEAST_DEADLINE..MOST_DEADLINE, "")
+        help = "Seconds of processor time until a rendering times out; default: 20. If ten times as long passes on " +
+            "the wall, the rule is inconclusive: the machine is too busy",
+    ).number("S", LEAST_DEADLINE..MOST_DEADLINE, "")
 
     private val isInProcess by option(
         "--in-process",

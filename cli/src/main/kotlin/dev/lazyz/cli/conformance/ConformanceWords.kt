@@ -30,7 +30,8 @@ internal class ConformanceWords(private val recorded: RecordedReport?, private v
 
     /** Returns the exit code. */
     fun code(report: ConformanceReport): Int {
-        val isWrong = recorded?.let { it.differences(report).isNotEmpty() } ?: report.results.any { it.outcome.isFailure }
+        val isWrong =
+            recorded?.let { it.differences(report).isNotEmpty() } ?: report.results.any { it.outcome.isFailure }
         return when {
             isWrong -> ExitCode.DIFFERENT
             report.withOutcome(RuleOutcome.INCONCLUSIVE).isNotEmpty() -> ExitCode.INCONCLUSIVE

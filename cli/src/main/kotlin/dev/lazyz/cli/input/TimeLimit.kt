@@ -12,8 +12,9 @@ import java.util.concurrent.TimeoutException
 /**
  * The option `--max-seconds`: limits the processor time for everything that is done with one input. What counts is the
  * time of the thread that reads the input and renders, which takes part in the work of all others, so that a busy
- * machine refuses nothing; ten times as long on the clock on the wall is a net. The work is interrupted; it ends at the next step of reading, at the next tile or row of a picture, or when a strategy that holds the whole
- * picture has computed it.
+ * machine refuses nothing; ten times as long on the clock on the wall is a net. The work is interrupted; it ends at the
+ * next step of reading, at the next tile or row of a picture, or when a strategy that holds the whole picture has
+ * computed it.
  *
  * @property patience how long to wait for that end, in milliseconds; 0 is without limit. Work that then still runs is
  *   left alone, and ends with the process, which deletes its temporary files

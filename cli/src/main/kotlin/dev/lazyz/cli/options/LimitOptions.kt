@@ -38,8 +38,8 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
 
     private val seconds by option(
         "--max-seconds",
-        help = "Maximum processor time for reading and rendering an input, 0..1000000; on the wall, ten times as long; " +
-            "default: no limit",
+        help = "Maximum processor time for reading and rendering an input, 0..1000000; on the wall, ten times as " +
+            "long; default: no limit",
     ).number("SECONDS", 0.0..1e6, " seconds")
 
     /** The most processor time for an input, from reading to the last picture; null without a limit. */

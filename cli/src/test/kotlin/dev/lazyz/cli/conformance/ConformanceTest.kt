@@ -281,8 +281,8 @@ class ConformanceTest {
         for (where in listOf(arrayOf("--in-process"), arrayOf())) {
             val run = zcli("conformance", *where, *words)
             assertEquals(ExitCode.DIFFERENT, run.code, run.errors)
-            val reported = "eternal does NOT conform: making the renderer was not over after 0.5 s in which no thread was " +
-                "running; it is at"
+            val reported = "eternal does NOT conform: making the renderer was not over after 0.5 s in which no " +
+                "thread was running; it is at"
             assertTrue(reported in run.errors && "EternalRenderer.<init>" in run.errors, run.errors)
             assertEquals("", run.text)
         }

@@ -65,7 +65,7 @@ internal fun specks(salt: Long): FrameCase {
     return screenMesh(Raster(SIDE, SIDE), triangles)
 }
 
-/** A mesh of more than four thousand triangles within one tile, of which each covers one sample, mostly a visible one. */
+/** A mesh of more than four thousand triangles within one tile, each of which covers one sample, mostly alone. */
 internal fun crowdedTile(salt: Long): FrameCase {
     val random = Random(salt)
     val places = List(TILE * TILE) { it } + List(HIDDEN) { random.nextInt(TILE * TILE) }

@@ -85,8 +85,9 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
     private companion object {
         /** The imports of a frame's code, see [FrameCase.code]. */
         val IMPORTS = listOf(
-            "dev.lazyz.*", "dev.lazyz.conformance.SuiteFrames", "dev.lazyz.conformance.cases.*", "dev.lazyz.conformance.frames.*", "dev.lazyz.world.*",
-            "dev.lazyz.world.material.*", "dev.lazyz.world.surface.*", "org.joml.Vector3d",
+            "dev.lazyz.*", "dev.lazyz.conformance.SuiteFrames", "dev.lazyz.conformance.cases.*",
+            "dev.lazyz.conformance.frames.*", "dev.lazyz.world.*", "dev.lazyz.world.material.*",
+            "dev.lazyz.world.surface.*", "org.joml.Vector3d",
         )
 
         val ENDINGS = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png") +

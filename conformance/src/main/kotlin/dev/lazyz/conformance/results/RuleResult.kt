@@ -77,7 +77,8 @@ public enum class RuleOutcome(internal val words: String) {
  *
  * @property rule the rule
  * @property outcome its outcome
- * @property message why it failed, is inconclusive, is not followed, is waived, was not run or is not supported; empty if it passed
+ * @property message why it failed, is inconclusive, is not followed, is waived, was not run or is not supported; empty
+ *   if it passed
  * @property tries number of tries, without those that shrink a frame after a failure
  * @property milliseconds duration of the rule
  * @property distribution traits of the frames
@@ -102,24 +103,24 @@ public class RuleResult internal constructor(
     override fun toString(): String = "$rule: ${outcome.words}"
 
     internal companion object {
-        private const val WHERE_IT_LOOPS = "The stack in the message says where it is: look for a loop that does not end, or " +
-            "that takes very long."
-        private const val WHERE_IT_WAITS = "The stack in the message says where it is: look for a thread that waits for what " +
-            "never comes."
-        private const val WHAT_TO_DO = "Run it again while the machine has less other work, or with a longer deadline " +
-            "(zcli: --deadline SECONDS; as a test: -Dlazyz.conformance.deadline=SECONDS)."
+        private const val WHERE_IT_LOOPS =
+            "The stack in the message says where it is: look for a loop that does not end, or that takes very long."
+        private const val WHERE_IT_WAITS =
+            "The stack in the message says where it is: look for a thread that waits for what never comes."
+        private const val WHAT_TO_DO = "Run it again while the machine has less other work, or with a longer " +
+            "deadline (zcli: --deadline SECONDS; as a test: -Dlazyz.conformance.deadline=SECONDS)."
 
         /** Where to look if the renderer crashed; null if it did not. */
         fun crashLook(thrown: Throwable): String? = when {
             thrown is ProcessEnded -> "Look for System.exit, Runtime.halt, and native code that crashes."
 
             crash(thrown) is OutOfMemoryError ->
-                "Look for arrays that are sized by the whole raster, by the bounds or by the number of primitives, and for " +
-                    "lists that only grow."
+                "Look for arrays that are sized by the whole raster, by bounds or by the number of primitives, and " +
+                    "for lists that only grow."
 
             crash(thrown) is StackOverflowError ->
-                "Look for recursion whose depth is the number of primitives, fragments or samples: make it a loop, or " +
-                    "halve the rest in each call."
+                "Look for recursion whose depth is the number of primitives, fragments or samples: make it a loop, " +
+                    "or halve the rest in each call."
 
             crash(thrown) != null -> "Look where the error is thrown."
 

@@ -183,10 +183,10 @@ public sealed interface ChangeRules : RulesForOne {
 
     /** Options change the cost of a rendering, never its picture, and never the renderer that is asked for them. */
     @Rule(
-        intent = "Coherence, memory budget, threads and tile size change the cost, never the picture, and `configured` " +
-            "leaves its renderer as it is.",
-        look = "The message names the options: compare stepped colours with direct ones, check the edges of tiles, and " +
-            "let `configured` return another renderer.",
+        intent = "Coherence, memory budget, threads and tile size change the cost, never the picture, and " +
+            "`configured` leaves its renderer as it is.",
+        look = "The message names the options: compare stepped colours with direct ones, check the edges of tiles, " +
+            "and let `configured` return another renderer.",
         about = [Symptom.OPTIONS],
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)

@@ -57,7 +57,8 @@ public sealed interface CounterRules : RulesForOne {
     /** Fragments are the covered samples, except hidden ones that are rejected before their samples are determined. */
     @Rule(
         intent = "Fragments are the covered samples of each primitive, summed; only hidden ones may be missing.",
-        look = "Count where spans are read. Whole rows or tiles are easily missed, and parts outside the region counted.",
+        look = "Count where spans are read. Whole rows or tiles are easily missed, and parts outside the region " +
+            "counted.",
     )
     @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_fragmentsEqualTheCoveredSamples(

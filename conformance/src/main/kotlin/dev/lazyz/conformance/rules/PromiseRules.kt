@@ -233,7 +233,7 @@ public sealed interface PromiseRules : RulesForOne {
         /** Bytes that an image takes for a sample, see rule 7.6. */
         const val IMAGE_BYTES = 12L
 
-        /** Rows of this many samples that a renderer may hold besides, whatever the budget, and bytes for what is small. */
+        /** How many rows a renderer may hold besides, whatever the budget, and how many bytes for what is small. */
         const val SOME_ROWS = 8
         const val FEW_BYTES = 2048
     }

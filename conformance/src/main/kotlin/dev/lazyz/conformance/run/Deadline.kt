@@ -76,8 +76,8 @@ internal class Deadline(
         Lateness.UNKNOWN -> {
             val most = last.usedSince(start).maxOfOrNull { it.value } ?: 0
             val used = Duration.ofNanos(most / HUNDREDTH * HUNDREDTH)
-            "was not over after ${seconds(limit.multipliedBy(WALL))}, but the machine gave it only ${seconds(used)} of " +
-                "the ${seconds(limit)} of processor time that it may use"
+            "was not over after ${seconds(limit.multipliedBy(WALL))}, but the machine gave it only ${seconds(used)} " +
+                "of the ${seconds(limit)} of processor time that it may use"
         }
     }
 

@@ -7,8 +7,8 @@ import org.junit.platform.engine.support.descriptor.ClassSource
 import org.junit.platform.launcher.PostDiscoveryFilter
 
 /**
- * Fails a Maven build that would run no rule, and succeed, because of `-Dtest='MyTest#rule_5*'`: Maven looks for methods
- * by the class that declares them, which is one of the suite's. It includes everything.
+ * Fails a Maven build that would run no rule, and succeed, because of `-Dtest='MyTest#rule_5*'`: Maven looks for
+ * methods by the class that declares them, which is one of the suite's. It includes everything.
  */
 internal class SelectedRules : PostDiscoveryFilter {
     override fun apply(test: TestDescriptor): FilterResult {

@@ -161,9 +161,10 @@ class DiagnosisTest {
 
     @Test
     fun crashesHaveHintsOfTheirOwn() {
-        val hints = mapOf(RunGallery.exhausts() to "arrays that are sized by", RunGallery.recurses() to "recursion whose depth")
+        val hints = mapOf(RunGallery.exhausts() to "arrays that are sized", RunGallery.recurses() to "recursion whose")
         for ((renderer, hint) in hints) {
-            val report = Conformance { renderer }.tries(0.05).withoutShrinking().rule(names.nearest).rule(names.ties).run()
+            val report = Conformance { renderer }.tries(0.05).withoutShrinking()
+                .rule(names.nearest).rule(names.ties).run()
             val (cause) = report.diagnosis.causes
             assertTrue(hint in cause.look, report.toText())
             assertTrue("failures the renderer throws java.lang." in cause.why, cause.why)

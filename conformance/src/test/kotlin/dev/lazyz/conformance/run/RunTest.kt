@@ -111,7 +111,8 @@ class RunTest {
         )
         for (make in hanging) {
             val reported = assertThrows(NotMadeException::class.java) { of(make).run() }.message.orEmpty()
-            assertTrue(reported.startsWith("making the renderer was not over after 0.3 s in which no thread was running; it is at"), reported)
+            val words = "making the renderer was not over after 0.3 s in which no thread was running; it is at"
+            assertTrue(reported.startsWith(words), reported)
             assertTrue("RunGallery.never" in reported, reported)
         }
     }

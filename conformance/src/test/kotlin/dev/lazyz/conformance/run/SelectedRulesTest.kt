@@ -13,7 +13,8 @@ import org.junit.platform.launcher.core.LauncherFactory
 /** Options of Maven that select some of the rules: those rules are run, or the build fails. */
 class SelectedRulesTest {
     private fun discover(test: String) {
-        val request = LauncherDiscoveryRequestBuilder.request().selectors(selectClass(ZBufferConformanceTest::class.java))
+        val request = LauncherDiscoveryRequestBuilder.request()
+            .selectors(selectClass(ZBufferConformanceTest::class.java))
         SuiteRun.withProperty(SelectedRules.PROPERTY, test) { LauncherFactory.create().discover(request.build()) }
     }
 
