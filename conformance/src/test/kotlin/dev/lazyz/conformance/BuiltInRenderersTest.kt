@@ -17,20 +17,21 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
 
 /**
- * Runs the suite on every built-in renderer and on the oracle. The default build tests the default one, without the
- * rules that take long, which [ZBufferConformanceTest] tries on `zbuffer`; the effort `rest` tests these, and the other
- * renderers, each rule that takes long with one of them; `full` tests all with all rules. See [TestEffort].
+ * Runs the suite on every built-in renderer and on the oracle, with the efforts `rest` and `full`. By default only
+ * [ZBufferConformanceTest] runs it, and [StrategiesAgreeProperties] compares the others with `zbuffer`. `rest` tests the
+ * default renderer with all rules, and the others with those that take short and one that takes long; `full` tests all
+ * with all rules. See [TestEffort].
  */
 class BuiltInRenderersTest {
     @TestFactory
     fun passes(): List<DynamicTest> {
         val renderers = Renderers.builtIn.filter { it !is ZBuffer } + ReferenceRenderer()
-        return renderers.withIndex().filter { (i, _) -> i == 0 || !TestEffort.isDefault }.map { (i, renderer) ->
-            val rules = when {
-                TestEffort.isFull -> SuiteRun.rules
-                TestEffort.isDefault -> SuiteRun.quickRules
-                i == 0 -> SuiteRun.longRules
-                else -> SuiteRun.quickRules + setOfNotNull(SuiteRun.longRules.elementAtOrNull(i - 1))
+        if (TestEffort.isDefault) return emptyList()
+        return renderers.mapIndexed { i, renderer ->
+            val rules = if (TestEffort.isFull || i == 0) {
+                SuiteRun.rules
+            } else {
+                SuiteRun.quickRules + setOfNotNull(SuiteRun.longRules.elementAtOrNull(i - 1))
             }
             dynamicTest(renderer.id) { assertPasses(renderer, rules) }
         }
