@@ -6,7 +6,6 @@ kotlin {
 
 dependencies {
     api(project(":core"))
-    implementation(libs.serialization.json)
     implementation(libs.jackson.databind)
     implementation(libs.jgltf.model)
     implementation(libs.drako)

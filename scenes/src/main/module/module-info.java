@@ -3,7 +3,6 @@ module dev.lazyz.scenes {
     requires transitive dev.lazyz.core;
     requires transitive java.desktop;
     requires java.xml;
-    requires kotlinx.serialization.json;
     requires com.fasterxml.jackson.databind;
     // These have no descriptors; their names are those of the files
     requires drako;

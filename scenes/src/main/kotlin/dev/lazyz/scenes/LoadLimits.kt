@@ -30,6 +30,9 @@ public enum class ReferencePolicy {
  * @property references which files a model can refer to
  * @property memory the memory that Java may use while the model is read, in bytes, to which files and decoded data must
  *   be in proportion. Null, the default, means the maximum Java heap size, which also is the most that counts
+ * @property items maximum total number of items: the parts that files name or list, such as objects, materials,
+ *   statements `o` and `newmtl`, nodes and all other objects of JSON, elements and properties of PLY, solids of STL,
+ *   files and resources of 3MF. An item also counts as 64 bytes of decoded data
  * @property spoolBytes maximum total bytes of temporary files, which models that are read part by part may need. Null,
  *   the default, means no limit but the free space of the folder
  * @throws IllegalArgumentException if a limit is negative, or [nesting] is not in 1..1000
@@ -44,6 +47,7 @@ public class LoadLimits @JvmOverloads constructor(
     public val references: ReferencePolicy = ReferencePolicy.WITHIN_FOLDER,
     public val memory: Long? = null,
     public val spoolBytes: Long? = null,
+    public val items: Long = DEFAULT_ITEMS,
 ) {
     /** The memory that counts. */
     internal val usableMemory: Long get() = minOf(memory ?: Long.MAX_VALUE, Runtime.getRuntime().maxMemory())
@@ -53,6 +57,7 @@ public class LoadLimits @JvmOverloads constructor(
         require(triangles >= 0) { "triangles must not be negative: $triangles" }
         require(vertices >= 0) { "vertices must not be negative: $vertices" }
         require(texels >= 0) { "texels must not be negative: $texels" }
+        require(items >= 0) { "items must not be negative: $items" }
         require(nesting in 1..MOST_NESTING) { "nesting must be in 1..$MOST_NESTING: $nesting" }
         require(memory == null || memory >= 0) { "memory must not be negative: $memory" }
         require(spoolBytes == null || spoolBytes >= 0) { "spoolBytes must not be negative: $spoolBytes" }
@@ -95,6 +100,9 @@ public class LoadLimits @JvmOverloads constructor(
     /** Returns these limits without a limit for temporary files. */
     public fun withoutSpoolLimit(): LoadLimits = copy(spoolBytes = null)
 
+    /** Returns these limits with another limit for items. */
+    public fun withItems(items: Long): LoadLimits = copy(items = items)
+
     private fun copy(
         decodedBytes: Long? = this.decodedBytes,
         triangles: Long = this.triangles,
@@ -105,16 +113,20 @@ public class LoadLimits @JvmOverloads constructor(
         references: ReferencePolicy = this.references,
         memory: Long? = this.memory,
         spoolBytes: Long? = this.spoolBytes,
+        items: Long = this.items,
     ): LoadLimits =
-        LoadLimits(decodedBytes, triangles, vertices, texels, nesting, time, references, memory, spoolBytes)
+        LoadLimits(decodedBytes, triangles, vertices, texels, nesting, time, references, memory, spoolBytes, items)
 
     override fun toString(): String =
         "LoadLimits(decodedBytes=$decodedBytes, triangles=$triangles, vertices=$vertices, texels=$texels, " +
-            "nesting=$nesting, time=$time, $references, memory=$memory, spoolBytes=$spoolBytes)"
+            "nesting=$nesting, time=$time, $references, memory=$memory, spoolBytes=$spoolBytes, items=$items)"
 
     public companion object {
         /** The default of [nesting]. */
         public const val DEFAULT_NESTING: Int = 64
+
+        /** The default of [items]. */
+        public const val DEFAULT_ITEMS: Long = 1_000_000
 
         private const val MOST_NESTING = 1000
         private const val FREE_BYTES = 128L shl 20

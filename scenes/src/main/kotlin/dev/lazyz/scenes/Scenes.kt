@@ -16,8 +16,9 @@ import java.nio.file.Path
  * A file that cannot be read at all, for example because it is missing, is a [SceneReadException]; other
  * [SceneFormatException]s are about what is in it.
  *
- * Thread safe. If the calling thread is interrupted, reading ends at its next step with a [SceneFormatException], and
- * the interrupt status stays set. To write a scene see [dev.lazyz.scenes.scenefile.SceneFile], to write an image
+ * Thread safe. If the calling thread is interrupted, reading ends after some milliseconds of work with a
+ * [SceneFormatException], and the interrupt status stays set; the smooth normals of a mesh are finished first. Lines of
+ * text, joined ones too, must be shorter than 32 MiB, and names shorter than 1 MiB. To write a scene see [dev.lazyz.scenes.scenefile.SceneFile], to write an image
  * [dev.lazyz.scenes.writers.writePng].
  */
 public object Scenes {
@@ -138,8 +139,7 @@ public object Scenes {
      * Of PLY and OBJ files, polygons and their colours, or those of their vertices, are read. A warning counts what is
      * not: normals, texture coordinates, materials, points and lines. The triangles are in the order of the file, which
      * for OBJ files with several materials or kinds of normals is not always the order of the meshes that [load]
-     * returns: of surfaces at the same place, another one may be visible. Lines of text, joined ones too, must be
-     * shorter than 32 MiB, and lists of binary files have at most 32 MiB.
+     * returns: of surfaces at the same place, another one may be visible. Lists of binary files have at most 32 MiB.
      *
      * @param format the format, or null if the extension of the name or the first bytes determine it; STL, PLY and OBJ
      *   are supported

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.scenes.images.PngFile
+import dev.lazyz.scenes.threemf.ThreeMfFiles
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
@@ -45,6 +46,43 @@ class LoadLimitsTest {
         }
         val advice = "raise LoadLimits.triangles (zcli: --max-triangles)"
         assertTrue(error.message.orEmpty().endsWith(advice), error.message)
+    }
+
+    @Test
+    fun itemsOfEveryFormatAreCounted() {
+        val facets = String(squares.getValue("square.stl"))
+        val package3mf = ThreeMfFiles.of(
+            ThreeMfFiles.model("<object id=\"1\">${ThreeMfFiles.TRIANGLE}</object>", "<item objectid=\"1\"/>"),
+        )
+        val off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+        val gltf1 = "{\"asset\": {\"version\": \"1.0\"}, \"nodes\": {\"a\": {}, \"b\": {}}}"
+        val files = squares + mapOf(
+            "square.obj" to "v 0 0 0\nv 1 0 0\nv 0 1 0\no a\nf 1 2 3\no b\nf 1 2 3\n".toByteArray(),
+            "square.stl" to (facets + facets).toByteArray(),
+            "one.gltf" to gltf1.toByteArray(),
+            "a.3mf" to package3mf,
+        )
+        for ((name, bytes) in files) {
+            val path = Files.write(folder.resolve(name), bytes)
+            val message = message(path, LoadLimits(items = 1))
+            assertTrue("more than 1 items such as objects and materials: 2" in message, message)
+            assertTrue("LoadLimits.items (zcli: --max-items)" in message, message)
+            assertTrue("--max-decoded" in message(path, LoadLimits(decodedBytes = 63)), name)
+        }
+
+        // Of OFF there are none
+        val path = Files.writeString(folder.resolve("a.off"), off)
+        assertEquals(1, Scenes.load(path, LoadLimits(items = 0)).scene.surfaces.size)
+    }
+
+    @Test
+    fun materialsOfALibraryAreItems() {
+        val path = obj("a.png", "b.png", "c.png")
+        val library = 1
+        val parts = 4
+        val message = message(path, LoadLimits(items = library + parts + 2L))
+        assertTrue("more than 7 items" in message && "a.mtl" in message, message)
+        assertEquals(3, Scenes.load(path, LoadLimits(items = library + parts + 3L)).scene.surfaces.size)
     }
 
     @Test

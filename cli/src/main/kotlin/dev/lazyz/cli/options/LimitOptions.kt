@@ -30,6 +30,11 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
 
     private val texels by option("--max-texels", help = "Maximum pixels of all textures; default: no limit").count()
 
+    private val items by option(
+        "--max-items",
+        help = "Maximum items such as objects, nodes, materials and properties; default: ${LoadLimits.DEFAULT_ITEMS}",
+    ).count()
+
     private val nesting by option(
         "--max-nesting",
         help = "Maximum depth of nested lists and objects in a scene file, glTF or 3MF, 1..1000; default: " +
@@ -56,6 +61,7 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
         texels = texels ?: Long.MAX_VALUE,
         nesting = nesting ?: LoadLimits.DEFAULT_NESTING,
         spoolBytes = spoolBytes,
+        items = items ?: LoadLimits.DEFAULT_ITEMS,
         references = if (isOutsideAllowed) ReferencePolicy.ANYWHERE else ReferencePolicy.WITHIN_FOLDER,
     )
 

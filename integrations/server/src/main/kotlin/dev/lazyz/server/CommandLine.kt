@@ -51,6 +51,9 @@ internal object CommandLine {
         Option("--max-texels", "N", "pixels of all textures of a model; default: no limit") { c, v ->
             c.withLimits(c.limits.withTexels(long(v)))
         },
+        Option("--max-items", "N", "objects, nodes, materials and so on of a model; default: 1000000") { c, v ->
+            c.withLimits(c.limits.withItems(long(v)))
+        },
         Option("--max-nesting", "N", "depth of nested objects in a model, 1..1000; default: 64") { c, v ->
             c.withLimits(c.limits.withNesting(int(v)))
         },

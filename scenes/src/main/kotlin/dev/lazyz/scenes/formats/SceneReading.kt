@@ -20,6 +20,7 @@ import dev.lazyz.scenes.threemf.ThreeMfParser
 import dev.lazyz.world.material.Texture
 import java.io.IOException
 import java.io.InputStream
+import java.nio.channels.ClosedByInterruptException
 import java.nio.file.AccessDeniedException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -38,8 +39,7 @@ internal object SceneReading {
     /** Reads a file as part of a larger [loading]. Its references must not lead out of [root]. */
     fun read(path: Path, format: SceneFormat?, loading: Loading, root: Path?): LoadedScene {
         val name = path.toString()
-        val source =
-            Source(bytes(path, name, format, loading.limits), name, path.toAbsolutePath().parent, loading, root)
+        val source = Source(bytes(path, name, format, loading), name, path.toAbsolutePath().parent, loading, root)
         return parse(source, format ?: sniffed(source))
     }
 
@@ -50,8 +50,9 @@ internal object SceneReading {
         folder: Path?,
         options: LoadOptions,
     ): LoadedScene {
+        val loading = Loading(options)
         val source = try {
-            Source(bytes(input, 0, name, format, options.limits), name, folder, Loading(options))
+            Source(bytes(input, 0, name, format, loading), name, folder, loading)
         } catch (e: IOException) {
             throw unreadable(name, e)
         }
@@ -68,7 +69,8 @@ internal object SceneReading {
     /** Reads an image file as a texture. */
     fun texture(path: Path, limits: LoadLimits): Texture {
         val name = path.toString()
-        val source = Source(bytes(path, name, null, limits), name, null, Loading(LoadOptions(limits)))
+        val loading = Loading(LoadOptions(limits))
+        val source = Source(bytes(path, name, null, loading), name, null, loading)
         return TextureFiles.decode(source, source.bytes, path.fileName.toString())
             ?: source.fail(null, "is not an image that can be read", "save it as PNG or JPEG")
     }
@@ -99,12 +101,12 @@ internal object SceneReading {
         }
     }
 
-    private fun bytes(path: Path, name: String, format: SceneFormat?, limits: LoadLimits): ByteArray {
+    private fun bytes(path: Path, name: String, format: SceneFormat?, loading: Loading): ByteArray {
         requireFile(path, name)
         try {
             val size = Files.size(path)
-            if (size > mostBytes(format, limits)) throw tooLarge(name, size, format, limits)
-            return Files.newInputStream(path).use { bytes(it, size.toInt(), name, format, limits) }
+            if (size > mostBytes(format, loading.limits)) throw tooLarge(name, size, format, loading.limits)
+            return Files.newInputStream(path).use { bytes(it, size.toInt(), name, format, loading) }
         } catch (e: IOException) {
             throw unreadable(name, e)
         }
@@ -119,11 +121,12 @@ internal object SceneReading {
         }
     }
 
-    /** Returns the exception for a file that cannot be read. */
-    fun unreadable(name: String, e: IOException): SceneReadException = if (e is AccessDeniedException) {
-        SceneReadException(name, "cannot be read: permission denied", "ask for permission", e)
-    } else {
-        SceneReadException(name, "cannot be read: ${e.message ?: e}", cause = e)
+    /** Returns the exception for a file that cannot be read. An interrupt closes channels. */
+    fun unreadable(name: String, e: IOException): SceneReadException = when (e) {
+        is ClosedByInterruptException -> SceneReadException(name, Loading.INTERRUPTED, cause = e)
+        is AccessDeniedException ->
+            SceneReadException(name, "cannot be read: permission denied", "ask for permission", e)
+        else -> SceneReadException(name, "cannot be read: ${e.message ?: e}", cause = e)
     }
 
     /**
@@ -135,19 +138,39 @@ internal object SceneReading {
         expected: Int,
         name: String,
         format: SceneFormat?,
-        limits: LoadLimits,
+        loading: Loading,
     ): ByteArray {
         val bytes = ByteArray(expected)
+        val first = fill(bytes, input, name, loading)
+        if (first < expected) return bytes.copyOf(first)
+
+        // Further bytes, if there are any
+        val most = mostBytes(format, loading.limits)
+        val pieces = ArrayList<ByteArray>()
+        var size = expected.toLong()
+        do {
+            val piece = ByteArray(PIECE)
+            val count = fill(piece, input, name, loading)
+            size += count
+            if (size > most) throw tooLarge(name, size, format, loading.limits)
+            if (count > 0) pieces.add(if (count < PIECE) piece.copyOf(count) else piece)
+        } while (count == PIECE)
+        if (pieces.isEmpty()) return bytes
+        val all = bytes.copyOf(size.toInt())
+        for ((i, piece) in pieces.withIndex()) piece.copyInto(all, expected + i * PIECE)
+        return all
+    }
+
+    /** Reads bytes until [into] is full or [input] ends, and returns their number. */
+    private fun fill(into: ByteArray, input: InputStream, name: String, loading: Loading): Int {
         var count = 0
-        while (count < expected) {
-            val read = input.read(bytes, count, minOf(PIECE, expected - count))
-            if (read < 0) return bytes.copyOf(count)
+        while (count < into.size) {
+            loading.look(name)
+            val read = input.read(into, count, minOf(PIECE, into.size - count))
+            if (read < 0) break
             count += read
         }
-        val room = mostBytes(format, limits) - expected
-        val rest = input.readNBytes(room.toInt() + 1)
-        if (rest.size > room) throw tooLarge(name, expected + rest.size.toLong(), format, limits)
-        return if (rest.isEmpty()) bytes else bytes + rest
+        return count
     }
 
     /**

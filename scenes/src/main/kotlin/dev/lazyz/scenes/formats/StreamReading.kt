@@ -28,18 +28,19 @@ internal object StreamReading {
 
     /** Opens a stream of the given format. */
     fun open(input: InputStream, format: SceneFormat, name: String, limits: LoadLimits, spool: Path): StreamedScene =
-        opened(name, format, limits) { StreamedInput.ofStream(input, name, spool, limits.spoolBytes) }
+        opened(name, format, limits) { loading -> StreamedInput.ofStream(input, name, spool, loading) }
 
     private fun opened(
         name: String,
         format: SceneFormat?,
         limits: LoadLimits,
-        open: () -> StreamedInput,
+        open: (Loading) -> StreamedInput,
     ): StreamedScene = try {
-        val input = open()
+        val loading = Loading(LoadOptions(limits))
+        val input = open(loading)
         try {
             val head = input.head()
-            val source = Source(head, name, null, Loading(LoadOptions(limits)))
+            val source = Source(head, name, null, loading)
             if (head.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
             val known = format ?: FormatSniffer.format(head, input.file.size)
             val triangles = when (known) {

@@ -1,15 +1,18 @@
 package dev.lazyz.scenes.images
 
 import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.images.containers.NeededParts
 import java.awt.image.BufferedImage
 import java.io.ByteArrayInputStream
 import java.io.IOException
 import javax.imageio.ImageIO
+import javax.imageio.ImageReader
+import javax.imageio.event.IIOReadProgressListener
 import javax.imageio.stream.MemoryCacheImageInputStream
 
 /**
  * Decodes image files with the readers of the JDK, PNG, JPEG, TIFF, BMP, GIF and WBMP, of several images the first; and
- * TGA.
+ * TGA. The readers see only the [NeededParts] of a file.
  */
 internal object ImageDecoder {
     /** The maximum length of an array. */
@@ -27,39 +30,93 @@ internal object ImageDecoder {
      *
      * @param admit is given the number of pixels before they are decoded; throws [SceneFormatException] if they are
      *   too many
+     * @param look called for each row that is decoded; throws [SceneFormatException] to end the decoding
+     * @throws OutOfMemoryError if the memory is too small for the image, even if the reader hides that
      */
-    fun <T> decode(bytes: ByteArray, admit: (pixels: Long) -> Unit, convert: (BufferedImage) -> T): T? = try {
-        read(JpegProfile.remove(bytes), admit, convert)
-    } catch (tooLarge: SceneFormatException) {
-        throw tooLarge
-    } catch (_: IOException) {
-        null
-    } catch (_: RuntimeException) {
+    fun <T> decode(
+        bytes: ByteArray,
+        admit: (pixels: Long) -> Unit,
+        look: () -> Unit = {},
+        convert: (BufferedImage) -> T,
+    ): T? = try {
+        NeededParts.of(bytes)?.let { read(it, admit, look, convert) }
+    } catch (ended: SceneFormatException) {
+        throw ended
+    } catch (e: IOException) {
+        requireMemory(e)
+    } catch (e: RuntimeException) {
         // Some decoders of the JDK fail on a damaged file with an index out of bounds or a negative size
-        null
+        requireMemory(e)
     } catch (_: LinkageError) {
         // A reduced JDK without java.desktop
         null
     }
 
-    private fun <T> read(bytes: ByteArray, admit: (pixels: Long) -> Unit, convert: (BufferedImage) -> T): T? =
-        MemoryCacheImageInputStream(ByteArrayInputStream(bytes)).use { stream ->
-            val readers = ImageIO.getImageReaders(stream)
-            if (!readers.hasNext()) {
-                return TgaImage.of(bytes)?.let {
-                    admit(it.pixels)
-                    convert(it.decode())
-                }
-            }
-            val reader = readers.next()
-            try {
-                reader.setInput(stream, true)
-                val pixels = reader.getWidth(0).toLong() * reader.getHeight(0)
-                if (pixels > MAX_PIXELS || pixels > bytes.size * MAX_PIXELS_PER_BYTE) return null
-                admit(pixels)
-                convert(reader.read(0))
-            } finally {
-                reader.dispose()
+    /** Throws the [OutOfMemoryError] that is the cause of [failure]; otherwise returns null. */
+    private fun requireMemory(failure: Exception): Nothing? {
+        generateSequence<Throwable>(failure) { it.cause }.firstOrNull { it is OutOfMemoryError }?.let { throw it }
+        return null
+    }
+
+    private fun <T> read(
+        bytes: ByteArray,
+        admit: (pixels: Long) -> Unit,
+        look: () -> Unit,
+        convert: (BufferedImage) -> T,
+    ): T? = MemoryCacheImageInputStream(ByteArrayInputStream(bytes)).use { stream ->
+        val readers = ImageIO.getImageReaders(stream)
+        if (!readers.hasNext()) {
+            return TgaImage.of(bytes)?.let {
+                admit(it.pixels)
+                convert(it.decode())
             }
         }
+        val reader = readers.next()
+        try {
+            // Of the metadata of TIFF, only what is essential; readers of other formats leave out more than that
+            reader.setInput(stream, true, reader.originatingProvider?.formatNames.orEmpty().contains("tiff"))
+            val pixels = reader.getWidth(0).toLong() * reader.getHeight(0)
+            if (pixels > MAX_PIXELS || pixels > bytes.size * MAX_PIXELS_PER_BYTE) return null
+            admit(pixels)
+            val rows = Rows(look)
+            reader.addIIOReadProgressListener(rows)
+            val image = reader.read(0)
+            rows.ended?.let { throw it }
+            convert(image)
+        } finally {
+            reader.dispose()
+        }
+    }
+
+    /** Looks after each row whether to go on. Readers in native code cannot be left by an exception. */
+    private class Rows(private val look: () -> Unit) : IIOReadProgressListener {
+        /** Why the reading was ended, or null. */
+        var ended: SceneFormatException? = null
+            private set
+
+        override fun imageProgress(source: ImageReader, percentageDone: Float) {
+            try {
+                look()
+            } catch (e: SceneFormatException) {
+                ended = e
+                source.abort()
+            }
+        }
+
+        override fun imageStarted(source: ImageReader, imageIndex: Int) = Unit
+
+        override fun imageComplete(source: ImageReader) = Unit
+
+        override fun readAborted(source: ImageReader) = Unit
+
+        override fun sequenceStarted(source: ImageReader, minIndex: Int) = Unit
+
+        override fun sequenceComplete(source: ImageReader) = Unit
+
+        override fun thumbnailStarted(source: ImageReader, imageIndex: Int, thumbnailIndex: Int) = Unit
+
+        override fun thumbnailProgress(source: ImageReader, percentageDone: Float) = Unit
+
+        override fun thumbnailComplete(source: ImageReader) = Unit
+    }
 }

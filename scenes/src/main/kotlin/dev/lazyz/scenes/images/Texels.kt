@@ -17,10 +17,14 @@ internal object Texels {
     private const val BYTE = 0xFF
     private const val WORD = 0xFFFF
 
-    /** Returns the pixels of [image] in rows from the top, 8 bits a channel, `0xAARRGGBB`. */
-    fun of(image: BufferedImage): IntArray {
+    /**
+     * Returns the pixels of [image] in rows from the top, 8 bits a channel, `0xAARRGGBB`.
+     *
+     * @param look called before each row; throws to end the reading
+     */
+    fun of(image: BufferedImage, look: () -> Unit = {}): IntArray {
         val argb = IntArray(image.width * image.height)
-        read(image, BYTE) { at, alpha, red, green, blue ->
+        read(image, BYTE, look) { at, alpha, red, green, blue ->
             argb[at] = alpha shl 24 or (red shl 16) or (green shl 8) or blue
         }
         return argb
@@ -43,6 +47,7 @@ internal object Texels {
     private inline fun read(
         image: BufferedImage,
         most: Int,
+        look: () -> Unit = {},
         pixel: (at: Int, alpha: Int, red: Int, green: Int, blue: Int) -> Unit,
     ) {
         val palette = image.colorModel as? IndexColorModel
@@ -52,6 +57,7 @@ internal object Texels {
         val bands = raster.numBands
         val row = IntArray(image.width * bands)
         for (y in 0 until image.height) {
+            look()
             readRow(raster, y, row)
             for (x in 0 until image.width) {
                 val from = x * bands

@@ -23,8 +23,11 @@ internal object TextureFiles {
      * cannot be decoded.
      */
     fun decode(source: Source, bytes: ByteArray, name: String): Texture? =
-        ImageDecoder.decode(bytes, { source.loading.texels(source, it) }) { image ->
-            Texture(image.width, image.height, Texels.of(image), name = name, mipFilter = MipFilter.ANISOTROPIC)
+        ImageDecoder.decode(
+            bytes, admit = { source.loading.texels(source, it) }, look = { source.loading.look(source.name) },
+        ) { image ->
+            val texels = Texels.of(image) { source.step(image.width) }
+            Texture(image.width, image.height, texels, name = name, mipFilter = MipFilter.ANISOTROPIC)
         }
 
     /**

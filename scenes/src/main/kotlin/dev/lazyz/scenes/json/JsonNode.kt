@@ -1,11 +1,6 @@
 package dev.lazyz.scenes.json
 
 import dev.lazyz.scenes.loading.Source
-import kotlinx.serialization.json.JsonArray
-import kotlinx.serialization.json.JsonElement
-import kotlinx.serialization.json.JsonNull
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonPrimitive
 import org.joml.Vector3d
 
 /**
@@ -13,10 +8,10 @@ import org.joml.Vector3d
  *
  * @property path for example `surfaces[2].material`; empty for the whole file
  */
-internal class JsonNode(private val source: Source, val path: String, private val element: JsonElement) {
-    val isText: Boolean get() = element is JsonPrimitive && element.isString
+internal class JsonNode(private val source: Source, val path: String, private val element: Any?) {
+    val isText: Boolean get() = element is String
 
-    val isList: Boolean get() = element is JsonArray
+    val isList: Boolean get() = element is List<*>
 
     fun fail(problem: String, remedy: String? = null): Nothing = source.fail(path.ifEmpty { null }, problem, remedy)
 
@@ -29,8 +24,10 @@ internal class JsonNode(private val source: Source, val path: String, private va
 
     /** Returns the members of an object. A member that is not in [known] is an error. */
     fun members(vararg known: String): JsonMembers {
-        if (element !is JsonObject) wrongType("an object with ${known.joinToString()}")
+        if (element !is Map<*, *>) wrongType("an object with ${known.joinToString()}")
         for (key in element.keys) {
+            source.step()
+            key as String
             if (key !in known) {
                 val meant = JsonKeys.nearest(key, known.asList())
                 source.fail(
@@ -40,23 +37,23 @@ internal class JsonNode(private val source: Source, val path: String, private va
                 )
             }
         }
-        return JsonMembers(this, known.asList(), element.mapValues { (key, value) -> child(key, value) })
+        return JsonMembers(this, known.asList(), children(element))
     }
 
     /** Returns the members of an object whose keys are user-defined names, in the order of the file. */
     fun named(): Map<String, JsonNode> {
-        if (element !is JsonObject) wrongType("an object of names")
-        return element.mapValues { (key, value) -> child(key, value) }
+        if (element !is Map<*, *>) wrongType("an object of names")
+        return children(element)
     }
 
     fun items(): List<JsonNode> {
-        if (element !is JsonArray) wrongType("a list")
+        if (element !is List<*>) wrongType("a list")
         return List(element.size) { item(element, it) }
     }
 
     fun text(): String {
-        if (element !is JsonPrimitive || !element.isString) wrongType("text in quotes")
-        return element.content
+        if (element !is String) wrongType("text in quotes")
+        return element
     }
 
     /** Returns the enum constant for this text, which must be one of the [names]. */
@@ -84,56 +81,66 @@ internal class JsonNode(private val source: Source, val path: String, private va
 
     /** Returns a list of exactly [count] numbers. */
     fun doubles(count: Int): DoubleArray {
-        if (element !is JsonArray) wrongType("a list of $count numbers")
+        if (element !is List<*>) wrongType("a list of $count numbers")
         if (element.size != count) fail("needs $count numbers, not ${element.size}")
         return DoubleArray(count) { item(element, it).double() }
     }
 
     fun floats(): FloatArray {
-        if (element !is JsonArray) wrongType("a list of numbers")
+        if (element !is List<*>) wrongType("a list of numbers")
         return FloatArray(element.size) { finiteOrNull(element[it]) ?: item(element, it).float() }
     }
 
     fun integers(): IntArray {
-        if (element !is JsonArray) wrongType("a list of whole numbers")
+        if (element !is List<*>) wrongType("a list of whole numbers")
         return IntArray(element.size) { wholeOrNull(element[it]) ?: item(element, it).integer() }
     }
 
-    private fun item(list: JsonArray, index: Int): JsonNode = JsonNode(source, "$path[$index]", list[index])
+    private fun item(list: List<*>, index: Int): JsonNode {
+        source.step()
+        return JsonNode(source, "$path[$index]", list[index])
+    }
 
-    private fun wholeOrNull(item: JsonElement): Int? {
-        if (item !is JsonPrimitive || item.isString || !JsonKeys.isNumber(item.content)) return null
-        return item.content.toIntOrNull()
+    private fun wholeOrNull(item: Any?): Int? {
+        source.step()
+        return (item as? JsonNumber)?.text?.toIntOrNull()
     }
 
     /** Fast path for the long lists of meshes: needs no path and no node. Null if [item] is not a finite number. */
-    private fun finiteOrNull(item: JsonElement): Float? {
-        if (item !is JsonPrimitive || item.isString || !JsonKeys.isNumber(item.content)) return null
-        return item.content.toFloat().takeIf { it.isFinite() }
+    private fun finiteOrNull(item: Any?): Float? {
+        source.step()
+        return (item as? JsonNumber)?.text?.toFloat()?.takeIf { it.isFinite() }
     }
 
     private fun literal(wanted: String): String {
-        if (element !is JsonPrimitive || element.isString || !JsonKeys.isNumber(element.content)) wrongType(wanted)
-        return element.content
+        if (element !is JsonNumber) wrongType(wanted)
+        return element.text
     }
 
     /** Returns NaN or an infinity, which are written in quotes because JSON has no such numbers; otherwise null. */
     private fun special(): Double? = when {
-        element !is JsonPrimitive || !element.isString -> null
-        element.content == "NaN" -> Double.NaN
-        element.content == "Infinity" -> Double.POSITIVE_INFINITY
-        element.content == "-Infinity" -> Double.NEGATIVE_INFINITY
+        element == "NaN" -> Double.NaN
+        element == "Infinity" -> Double.POSITIVE_INFINITY
+        element == "-Infinity" -> Double.NEGATIVE_INFINITY
         else -> null
     }
 
-    private fun child(key: String, value: JsonElement): JsonNode = JsonNode(source, JsonKeys.path(path, key), value)
+    private fun children(members: Map<*, *>): Map<String, JsonNode> {
+        val children = LinkedHashMap<String, JsonNode>()
+        for ((key, value) in members) {
+            source.step()
+            key as String
+            children[key] = JsonNode(source, JsonKeys.path(path, key), value)
+        }
+        return children
+    }
 
     private fun wrongType(wanted: String): Nothing {
         val found = when (element) {
-            is JsonNull -> "null"
-            is JsonObject -> "an object"
-            is JsonArray -> "a list"
-            is JsonPrimitive -> element.content.take(40).let { if (element.isString) "the text \"$it\"" else it }
+            is Map<*, *> -> "an object"
+            is List<*> -> "a list"
+            is String -> "the text \"${element.take(MOST_SHOWN)}\""
+            else -> element.toString().take(MOST_SHOWN)
         }
         fail("must be $wanted, not $found")
     }
@@ -141,6 +148,7 @@ internal class JsonNode(private val source: Source, val path: String, private va
     override fun toString(): String = "JsonNode($path)"
 
     private companion object {
+        const val MOST_SHOWN = 40
         const val TOO_LARGE_REMEDY = "write \"Infinity\" if infinity is intended"
     }
 }

@@ -1,97 +1,84 @@
 package dev.lazyz.scenes.json
 
+import com.fasterxml.jackson.core.JsonParser
+import com.fasterxml.jackson.core.JsonProcessingException
+import com.fasterxml.jackson.core.JsonToken
+import com.fasterxml.jackson.core.exc.StreamConstraintsException
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
-import java.nio.ByteBuffer
+import java.io.ByteArrayInputStream
+import java.io.InputStreamReader
 import java.nio.charset.CharacterCodingException
-import kotlinx.serialization.SerializationException
-import kotlinx.serialization.json.Json
-import kotlinx.serialization.json.JsonElement
 
-/** Parses bytes to a JSON tree, and reports the place of every error. */
+/** A number as the file writes it. */
+internal class JsonNumber(val text: String) {
+    override fun toString(): String = text
+}
+
+/**
+ * Parses a file to a tree: maps, lists, texts, [JsonNumber], booleans and nulls. Reports the place of every error. A key
+ * that occurs twice in one object is an error.
+ */
 internal object JsonText {
-    /**
-     * A parser's message: offset, error, and the path, which is always the root. Versions of the parser that older
-     * Kotlin compilers can read give the offset in no other way, and newer ones have the same message.
-     */
-    private val message =
-        Regex("""(?:Unexpected JSON token at offset (\d+): )?(.*?)(?: at path: .*)?""", RegexOption.DOT_MATCHES_ALL)
-
-    fun parse(source: Source): JsonElement {
-        val text = decode(source)
-        NestingCheck(source, text).run()
+    /** Returns the only value in [source]. */
+    fun parse(source: Source): Any? {
+        val bytes = ByteArrayInputStream(source.bytes).also { if (hasMark(source.bytes)) it.skip(MARK.size.toLong()) }
         try {
-            return Json.parseToJsonElement(text)
-        } catch (e: SerializationException) {
-            val (offset, error) = message.matchEntire(e.message.orEmpty())!!.destructured
-            source.fail(offset.toIntOrNull()?.let { place(text, it) }, "is not JSON: $error", cause = e)
-        } catch (e: OutOfMemoryError) {
-            source.exhausted("does not fit into memory", "keep meshes in files of their own, or raise -Xmx", e)
-        }
-    }
-
-    /** Returns `line 3, column 7` for an offset in [text]. */
-    fun place(text: String, offset: Int): String {
-        val before = text.substring(0, offset.coerceIn(0, text.length))
-        return "line ${before.count { it == '\n' } + 1}, column ${before.length - before.lastIndexOf('\n')}"
-    }
-
-    private fun decode(source: Source): String {
-        val bytes = source.bytes
-        val hasMark = bytes.size >= 3 && bytes[0] == 0xEF.toByte() && bytes[1] == 0xBB.toByte() &&
-            bytes[2] == 0xBF.toByte()
-        val start = if (hasMark) 3 else 0
-        try {
-            return Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes, start, bytes.size - start)).toString()
+            val parser = JsonInput.parser(source, bytes) { factory, input ->
+                factory.createParser(InputStreamReader(input, Charsets.UTF_8.newDecoder()))
+            }
+            return parser.use {
+                if (it.nextToken() == null) source.fail(null, "is not JSON: there is no value", "begin it with {")
+                val value = value(source, it)
+                if (it.nextToken() != null) {
+                    source.fail(place(it), "is not JSON: there is more text after its end", "remove it")
+                }
+                value
+            }
+        } catch (e: StreamConstraintsException) {
+            val isDeep = "nesting depth" in e.originalMessage
+            val problem = if (isDeep) "is nested more than ${source.loading.limits.nesting} deep" else message(e)
+            source.fail(e.location?.let(JsonInput::place), problem, if (isDeep) Loading.NESTING_REMEDY else null, e)
+        } catch (e: JsonProcessingException) {
+            source.fail(e.location?.let(JsonInput::place), message(e), cause = e)
         } catch (e: CharacterCodingException) {
             source.fail(null, "is not text in UTF-8", "save it as UTF-8", e)
         } catch (e: OutOfMemoryError) {
             source.exhausted("does not fit into memory", "keep meshes in files of their own, or raise -Xmx", e)
         }
     }
-}
 
-/**
- * Checks a text for two errors that the parser does not report: nesting that is too deep for the parser's stack, and
- * a key that occurs twice in one object, of which the parser would keep the last.
- */
-private class NestingCheck(private val source: Source, private val text: String) {
-    /** Keys of the objects around the current position; null stands for a list. */
-    private val around = ArrayList<HashSet<String>?>()
+    private fun message(e: JsonProcessingException): String =
+        "is not JSON: ${e.originalMessage.lineSequence().first().substringBefore(" (start marker")}"
 
-    fun run() {
-        var i = 0
-        while (i < text.length) {
-            when (text[i]) {
-                '{' -> open(HashSet(), i)
-                '[' -> open(null, i)
-                '}', ']' -> around.removeLastOrNull()
-                '"' -> i = string(i)
+    private fun place(parser: JsonParser): String = JsonInput.place(parser.currentTokenLocation())
+
+    private fun value(source: Source, parser: JsonParser): Any? = when (parser.currentToken()) {
+        JsonToken.START_OBJECT -> {
+            val members = LinkedHashMap<String, Any?>()
+            while (parser.nextToken() == JsonToken.FIELD_NAME) {
+                val key = parser.currentName()
+                if (key in members) source.fail(place(parser), "key \"$key\" is given twice", "remove one")
+                parser.nextToken()
+                members[key] = value(source, parser)
             }
-            i++
+            members
         }
+        JsonToken.START_ARRAY -> {
+            val items = ArrayList<Any?>()
+            while (parser.nextToken() != JsonToken.END_ARRAY) items.add(value(source, parser))
+            items
+        }
+        JsonToken.VALUE_STRING -> parser.text
+        JsonToken.VALUE_TRUE -> true
+        JsonToken.VALUE_FALSE -> false
+        JsonToken.VALUE_NULL -> null
+        else -> JsonNumber(parser.text)
     }
 
-    private fun open(keys: HashSet<String>?, offset: Int) {
-        val most = source.loading.limits.nesting
-        if (around.size == most) {
-            source.fail(JsonText.place(text, offset), "is nested more than $most deep", Loading.NESTING_REMEDY)
-        }
-        around.add(keys)
-    }
+    private fun hasMark(bytes: ByteArray): Boolean =
+        bytes.size >= MARK.size && MARK.indices.all { bytes[it] == MARK[it] }
 
-    /** Skips the string that starts at [start] and returns its end. A string followed by a colon is a key. */
-    private fun string(start: Int): Int {
-        var end = start + 1
-        while (end < text.length && text[end] != '"') end += if (text[end] == '\\') 2 else 1
-        var next = end + 1
-        while (next < text.length && text[next].isWhitespace()) next++
-        if (next < text.length && text[next] == ':') {
-            val key = text.substring(start + 1, end)
-            if (around.lastOrNull()?.add(key) == false) {
-                source.fail(JsonText.place(text, start), "key \"$key\" is given twice", "remove one")
-            }
-        }
-        return end
-    }
+    /** The byte order mark of UTF-8. */
+    private val MARK = byteArrayOf(0xEF.toByte(), 0xBB.toByte(), 0xBF.toByte())
 }

@@ -17,12 +17,14 @@ import java.nio.file.Path
  * @param folder the folder to search, or null for a stream, which has no folder
  * @param root the folder that must contain the file, symbolic links resolved, if the [policy] requires it
  * @param known where files that are found are added
+ * @param look called before each search, which can take long; throws to end the reading
  */
 internal class FileReferences(
     private val folder: Path?,
     private val root: Path?,
     private val policy: ReferencePolicy,
     private val known: MutableSet<Path> = HashSet(),
+    private val look: () -> Unit = {},
 ) {
     /**
      * The result of a search.
@@ -38,6 +40,7 @@ internal class FileReferences(
 
     /** Searches for [reference] in [folders] in order, by default only in this object's folder. */
     fun find(reference: String, folders: List<Path> = listOfNotNull(folder)): Found {
+        look()
         val files = folders.mapNotNull { resolve(it, reference) }
         val allowed = files.firstOrNull { isAllowed(it) }
         return when {

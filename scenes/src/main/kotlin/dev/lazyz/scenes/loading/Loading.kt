@@ -3,6 +3,7 @@ package dev.lazyz.scenes.loading
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.surface.Mesh
@@ -23,6 +24,9 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
 
     private val start = System.nanoTime()
     private var read = 0L
+
+    /** Steps of work that are left before the next [look]. */
+    private var stepsLeft = 0
 
     /** The amounts that are used so far. A reader that discards its result sets them back. */
     var used: UsedAmounts = UsedAmounts()
@@ -63,6 +67,17 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
     /** Like [triangles], for [count] line segments, each of which counts as a triangle. */
     fun segments(source: Source, count: Long): Unit = triangles(source, count)
 
+    /**
+     * Adds [count] items: parts that a file names or lists, other than triangles, vertices and texels. Fails if
+     * [source] then exceeds a limit.
+     */
+    fun items(source: Source, count: Long) {
+        used = used.copy(items = used.items + count)
+        val what = "items such as objects and materials"
+        check(source, used.items, limits.items, what, "items", "--max-items", MORE_MEMORY)
+        decode(source, count * ITEM_BYTES)
+    }
+
     /** Adds [count] texels; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
     fun texels(source: Source, count: Long) {
         used = used.copy(texels = used.texels + count)
@@ -81,10 +96,27 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
             source.exhausted(problem, remedy("decodedBytes", "--max-decoded", MORE_MEMORY))
         }
         check(source, memory, most, "bytes of decoded data", "decodedBytes", "--max-decoded", MORE_MEMORY)
-        if (Thread.currentThread().isInterrupted) source.fail(null, "is not read further: the thread is interrupted")
+        look(source.name)
+    }
+
+    /**
+     * Counts [steps] of work on [source], each about as long as reading a word. Some thousands of steps after the last
+     * [look], looks again. Every loop that is as long as the input says calls this.
+     */
+    fun step(source: Source, steps: Int) {
+        stepsLeft -= steps
+        if (stepsLeft < 0) look(source.name)
+    }
+
+    /** Fails if the thread is interrupted or the time is over. [name] is the name of what is being read. */
+    fun look(name: String) {
+        stepsLeft = STEPS
+        if (Thread.currentThread().isInterrupted) {
+            throw SceneFormatException(name, null, INTERRUPTED)
+        }
         val time = limits.time ?: return
         if (System.nanoTime() - start >= time.toNanos()) {
-            exceeded(source, "takes more than ${time.toMillis()} ms to read", "time", "--max-seconds", "")
+            exceeded(name, "takes more than ${time.toMillis()} ms to read", "time", "--max-seconds", "")
         }
     }
 
@@ -115,16 +147,19 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         flag: String,
         memory: String,
     ) {
-        if (used > most) exceeded(source, "has more than $most $what: $used at least", limit, flag, memory)
+        if (used > most) exceeded(source.name, "has more than $most $what: $used at least", limit, flag, memory)
     }
 
-    private fun exceeded(source: Source, problem: String, limit: String, flag: String, memory: String): Nothing =
-        source.fail(null, problem, remedy(limit, flag, memory))
+    private fun exceeded(name: String, problem: String, limit: String, flag: String, memory: String): Nothing =
+        throw SceneFormatException(name, null, problem, remedy(limit, flag, memory))
 
     private fun remedy(limit: String, flag: String, memory: String): String =
         "if it can be trusted, raise LoadLimits.$limit (zcli: $flag)$memory"
 
     companion object {
+        /** What happens to a file when its thread is interrupted. */
+        const val INTERRUPTED: String = "is not read further: the thread is interrupted"
+
         /** Remedy for JSON that is nested too deeply. */
         const val NESTING_REMEDY: String = "if it can be trusted, raise LoadLimits.nesting (zcli: --max-nesting)"
 
@@ -134,8 +169,12 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         /** Nanoseconds per millisecond. */
         private const val NANOSECONDS = 1_000_000L
 
+        /** Steps of work between two looks at the clock and the interrupt: some milliseconds at most. */
+        private const val STEPS = 1 shl 12
+
         private const val TRIANGLE_BYTES = 12L
         private const val VERTEX_BYTES = 32L
+        private const val ITEM_BYTES = 64L
 
         /** A texel and its part of the mip levels. */
         private const val TEXEL_BYTES = 6L
@@ -155,5 +194,6 @@ internal data class UsedAmounts(
     val triangles: Long = 0,
     val vertices: Long = 0,
     val texels: Long = 0,
+    val items: Long = 0,
     val decoding: Long = 0,
 )

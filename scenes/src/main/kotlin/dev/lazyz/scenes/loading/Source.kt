@@ -32,7 +32,7 @@ internal class Source(
     val bytes: ByteArray get() = checkNotNull(content) { "the bytes were released" }
 
     /** Finds files that the scene refers to. */
-    val references = FileReferences(folder, root, loading.limits.references, loading.files)
+    val references = FileReferences(folder, root, loading.limits.references, loading.files) { loading.look(name) }
 
     init {
         loading.read(bytes.size)
@@ -53,7 +53,7 @@ internal class Source(
     fun decodeText() {
         if (!TextEncoding.hasMark(bytes)) return
         loading.decode(this, 2L * bytes.size)
-        content = TextEncoding.utf8(bytes)
+        content = TextEncoding.utf8(this)
     }
 
     /** Fails if the text has a byte order mark, for readers that do not have all of the text. */
@@ -62,6 +62,9 @@ internal class Source(
             fail(null, "begins with a byte order mark", "save it as plain ASCII to stream it")
         }
     }
+
+    /** Counts [steps] of work, see [Loading.step]. */
+    fun step(steps: Int = 1): Unit = loading.step(this, steps)
 
     /** Releases the bytes after they have been read, to free memory for the decoded data. */
     fun release() {

@@ -1,15 +1,22 @@
 package dev.lazyz.scenes.meshes
 
 import dev.lazyz.scenes.collections.Ints
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.surface.Mesh
 
 /**
  * Splits a mesh into groups of triangles, each with the vertices that it uses. Not thread safe.
  *
+ * @param source the file of which it is, whose steps of work are counted
  * @param whole the mesh; its vertices must be numbered in the order of their first use, and all must be used
  * @param groupOf number of each triangle's group, 0 until [groupCount]
  */
-internal class MeshParts(private val whole: Mesh, groupOf: Ints, private val groupCount: Int) {
+internal class MeshParts(
+    private val source: Source,
+    private val whole: Mesh,
+    groupOf: Ints,
+    private val groupCount: Int,
+) {
     private val members = List(groupCount) { Ints() }
 
     /** For each vertex of the whole mesh: its number in the current part, or -1. */
@@ -17,7 +24,10 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, private val gro
 
     init {
         if (groupCount > 1) {
-            for (triangle in 0 until whole.triangleCount) members[groupOf[triangle]].add(triangle)
+            for (triangle in 0 until whole.triangleCount) {
+                source.step()
+                members[groupOf[triangle]].add(triangle)
+            }
         }
     }
 
@@ -29,6 +39,7 @@ internal class MeshParts(private val whole: Mesh, groupOf: Ints, private val gro
         val used = Ints()
         val triangles = IntArray(3 * members[group].size)
         for (i in triangles.indices) {
+            source.step()
             val vertex = whole.triangles[3 * members[group][i / 3] + i % 3]
             if (newNumber[vertex] < 0) {
                 newNumber[vertex] = used.size

@@ -29,6 +29,7 @@ internal object MissingNormals {
         val bare = with(mesh) { Mesh(positions, triangles, material, null, uvs, colors, origin, uvs2) }
         val flat = BitSet()
         for (triangle in 0 until mesh.triangleCount) {
+            source.step()
             if (!source.loading.options.smoothNormals || isFlat(triangle)) flat.set(triangle)
         }
         val areAllFlat = flat.cardinality() == mesh.triangleCount
@@ -67,6 +68,7 @@ internal object MissingNormals {
         // By vertex: the one of the mesh, and those with its computed normal, or -1
         val vertices = DistinctTriples(mesh.vertexCount)
         val triangles = IntArray(mesh.triangles.size) { corner ->
+            source.step()
             val vertex = mesh.triangles[corner]
             when {
                 !missing.get(vertex) -> vertices.add(vertex, -1, -1)

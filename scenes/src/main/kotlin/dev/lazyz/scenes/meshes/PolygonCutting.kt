@@ -20,22 +20,24 @@ internal class PolygonCutting(
     fun cut(polygons: Polygons, polygon: Int, corners: Ints) {
         val start = polygons.start(polygon)
         val count = polygons.end(polygon) - start
+        source.step(count)
         if (!haveVertices(polygons, start, count)) {
             withoutVertices++
         } else if (count == 3) {
             corners.add(start, start + 1, start + 2)
         } else {
-            val local = Triangulation.triangles(
-                DoubleArray(3 * count) { positions.get(polygons.vertex(start + it / 3), it % 3).toDouble() },
-            )
+            val isSmall = count <= Triangulation.MAX_CORNERS
+            val local = if (isSmall) Triangulation.triangles(xyz(polygons, start, count), source::step) else null
             if (local == null) {
-                val most = Triangulation.MAX_CONCAVE_CORNERS
-                source.warn("", "a concave face of $count corners", ", more than $most, is left out")
+                source.warn("", "a face of $count corners", ", ${Triangulation.TOO_MANY}, is left out")
             } else {
                 for (corner in local) corners.add(start + corner)
             }
         }
     }
+
+    private fun xyz(polygons: Polygons, start: Int, count: Int): DoubleArray =
+        DoubleArray(3 * count) { positions.get(polygons.vertex(start + it / 3), it % 3).toDouble() }
 
     private fun haveVertices(polygons: Polygons, start: Int, count: Int): Boolean {
         for (corner in start until start + count) if (polygons.vertex(corner) >= vertexCount) return false

@@ -46,6 +46,7 @@ internal class PolygonMesh(
         }
         val mesh = CornerMesh(vertices, polygons.colors, polygons.places)
         for (i in 0 until 3 * triangleCount) {
+            source.step()
             val corner = if (areTriangles) i else corners[i]
             val color = if (vertices.colors == null) polygons.colorOf(polygon(i / 3)) else -1
             mesh.add(polygons.vertex(corner), color, polygons.place(corner))

@@ -14,24 +14,41 @@ import earcut4j.Earcut
  * triangles that a reader expects. A polygon that crosses itself becomes triangles within its outline.
  */
 internal object Triangulation {
-    /** Maximum corners of a concave polygon. An outline that crosses itself takes cubic time in the worst case. */
+    /** Maximum corners of a polygon. A reader need not look at the corners of a larger one. */
+    const val MAX_CORNERS = 1 shl 20
+
+    /** Maximum corners of a concave polygon, for which ear clipping may take quadratic time. */
     const val MAX_CONCAVE_CORNERS = 4096
+
+    /** Maximum corners of a polygon that crosses itself, if only once: ear clipping takes cubic time, or more. */
+    const val MAX_CROSSING_CORNERS = 256
+
+    /** What is wrong with polygons without triangles. */
+    const val TOO_MANY: String = "too many for one that is concave or crosses itself"
 
     /**
      * Returns the triangles, three corner numbers each, of the polygon with the corners [xyz] (x, y, z for each), or
-     * null if it is concave and has more than [MAX_CONCAVE_CORNERS] corners. Fewer than three corners make no
-     * triangle.
+     * null if there are too many corners: more than [MAX_CONCAVE_CORNERS] of a concave polygon, more than
+     * [MAX_CROSSING_CORNERS] of one that crosses itself, or a million. Fewer than three corners make no triangle.
+     *
+     * @param step counts steps of work; throws to end it
      */
-    fun triangles(xyz: DoubleArray): IntArray? {
+    fun triangles(xyz: DoubleArray, step: (Int) -> Unit = {}): IntArray? {
         val corners = xyz.size / 3
         if (corners <= 3) return fan(corners)
+        if (corners > MAX_CORNERS) return null
         val flat = project(xyz) ?: return fan(corners)
         if (isConvex(flat)) return fan(corners)
         if (corners > MAX_CONCAVE_CORNERS) return null
+        if (corners > MAX_CROSSING_CORNERS && Crossings.areIn(flat, step)) return null
+        step(corners * corners / STEPS_A_PAIR)
         val ears = Earcut.earcut(flat)
         if (ears.isEmpty()) return fan(corners)
         return counterClockwise(flat, ears)
     }
+
+    /** Two corners are compared in this part of a step. */
+    private const val STEPS_A_PAIR = 8
 
     private fun fan(corners: Int): IntArray {
         val triangles = IntArray(3 * maxOf(corners - 2, 0))

@@ -15,19 +15,21 @@ internal class FaceCutting(
     fun cut(face: Int, corners: Ints) {
         val start = faces.start(face)
         val count = faces.end(face) - start
+        source.step(count)
         if (count == 3) {
             corners.add(start, start + 1, start + 2)
             return
         }
-        val local = Triangulation.triangles(
-            DoubleArray(3 * count) { positions.get(faces.positions[start + it / 3], it % 3).toDouble() },
-        )
+        val isSmall = count <= Triangulation.MAX_CORNERS
+        val local = if (isSmall) Triangulation.triangles(xyz(start, count), source::step) else null
         if (local == null) {
-            val most = Triangulation.MAX_CONCAVE_CORNERS
-            val where = "line ${faces.line(face)}"
-            source.warn("", "$where: a concave face of $count corners", ", more than $most, is left out")
+            val what = "line ${faces.line(face)}: a face of $count corners"
+            source.warn("", what, ", ${Triangulation.TOO_MANY}, is left out")
             return
         }
         for (corner in local) corners.add(start + corner)
     }
+
+    private fun xyz(start: Int, count: Int): DoubleArray =
+        DoubleArray(3 * count) { positions.get(faces.positions[start + it / 3], it % 3).toDouble() }
 }

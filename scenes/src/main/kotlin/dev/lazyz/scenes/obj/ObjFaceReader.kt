@@ -49,6 +49,7 @@ internal class ObjFaceReader(
         while (true) {
             while (at < end && TextLines.isSpace(bytes[at])) at++
             if (at == end) return count
+            source.step()
             if (3 * count == numbers.size) numbers = numbers.copyOf(2 * numbers.size)
             numbers.fill(-1, 3 * count, 3 * count + 3)
             var found = 0

@@ -48,6 +48,7 @@ internal class ObjMeshes(
         // Faces of one part that all have normals, or all have none, belong to one batch; look it up only once
         val batchOf = arrayOfNulls<Batch>(2 * faces.parts.size)
         for (face in 0 until faces.size) {
+            source.step()
             val hasNormals = faces.normals[faces.start(face)] >= 0
             val key = 2 * faces.part(face) + (if (hasNormals) 1 else 0)
             val batch = batchOf[key] ?: run {
@@ -102,7 +103,7 @@ internal class ObjMeshes(
         val isFlat = batch.normals == Normals.FLAT
         val shaded =
             if (isFlat) whole else MissingNormals.computed(source, whole, ObjParser.CREASE_ANGLE, flat::get)
-        val parts = MeshParts(shaded, groupOf, groups.size)
+        val parts = MeshParts(source, shaded, groupOf, groups.size)
         return groups.map { (group, number) ->
             Placed(firstFaces[number], withMaterial(parts.part(number), materialOf(group.material), group.isTextured))
         }

@@ -90,6 +90,7 @@ internal class ObjModel(private val source: Source, val origin: Vector3dc) :
         var dropped = 0
         var first = -1
         for (face in 0 until faces.size) {
+            source.step()
             val corners = faces.start(face) until faces.end(face)
             if (corners.none { numbers[it] >= count }) continue
             for (corner in corners) numbers[corner] = -1

@@ -40,7 +40,9 @@ internal class ObjPoints {
      */
     fun check(source: Source, vertexCount: Int) {
         for (numbers in points.values + segments.values) {
-            val wrong = (0 until numbers.vertices.size).firstOrNull { numbers.vertices[it] >= vertexCount } ?: continue
+            source.step(numbers.vertices.size)
+            if (numbers.vertices.areBelow(vertexCount)) continue
+            val wrong = (0 until numbers.vertices.size).first { numbers.vertices[it] >= vertexCount }
             val problem = "a point or line refers to number ${numbers.vertices[wrong] + 1} of $vertexCount vertices"
             source.fail("line ${numbers.lines[wrong]}", problem, "correct the line or export the model again")
         }

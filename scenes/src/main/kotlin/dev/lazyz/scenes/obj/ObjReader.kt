@@ -9,7 +9,7 @@ import dev.lazyz.scenes.text.Statements
  * Free-form geometry and unknown statements are ignored, with a warning for each kind.
  */
 internal class ObjReader(private val source: Source, val model: ObjModel) {
-    private val statements = Statements(source.bytes)
+    private val statements = Statements(source)
     private val faces = ObjFaceReader(source, statements, model, model.faces)
     private val points = ObjPointReader(source, statements, model, faces)
     private val vertices = ObjVertexReader(source, statements, model.origin, model)
@@ -43,7 +43,10 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
                 material = name("usemtl")
                 beginPart()
             }
-            statements.hasKeyword("mtllib") -> model.libraries.add(name("mtllib"))
+            statements.hasKeyword("mtllib") -> {
+                source.loading.items(source, 1)
+                model.libraries.add(name("mtllib"))
+            }
             statements.hasKeyword("o") -> {
                 objectNumber++
                 beginPart()
@@ -59,7 +62,9 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
     }
 
     private fun beginPart() {
+        val before = model.faces.parts.size
         faces.part = model.faces.partNumber(Part(objectNumber, material, isSmooth))
+        if (model.faces.parts.size > before) source.loading.items(source, 1)
     }
 
     private fun name(keyword: String): String = statements.statement().substring(keyword.length).trim()

@@ -11,7 +11,7 @@ import kotlin.math.round
  * Not thread safe.
  */
 internal class OffLine(private val source: Source) {
-    private val lines = TextLines(source.bytes)
+    private val lines = TextLines(source)
     private val decimal = Decimal()
     private var areFractions = BooleanArray(LEAST)
 

@@ -117,6 +117,7 @@ internal class OffReader(private val source: Source, private val origin: Vector3
                 oddColors++
             }
         }
+        source.step(polygonOf.size)
         for (i in 0 until polygonOf.size) polygons.color(polygonOf[i], number(colors, i))
         if (tooSmall > 0) source.warn("$tooSmall faces of fewer than 3 corners are left out")
         if (oddColors > 0) {

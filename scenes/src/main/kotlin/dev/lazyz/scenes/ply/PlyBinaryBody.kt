@@ -40,7 +40,10 @@ internal class PlyBinaryBody(
                 if (!hasList(property, count)) return cutOff()
                 val list = row.lists[column]
                 list.resize(count.toInt())
-                for (i in 0 until count.toInt()) list.numbers[i] = next(property.type)
+                for (i in 0 until count.toInt()) {
+                    list.numbers[i] = next(property.type)
+                    step(1)
+                }
             }
         }
         return true
@@ -86,6 +89,7 @@ internal class PlyBinaryBody(
         while (rows < element.count) {
             val count = nextList(element.properties[0])
             if (count < 0) break
+            step(1)
             use(at - Int.SIZE_BYTES * count, count)
             rows++
         }
@@ -112,6 +116,7 @@ internal class PlyBinaryBody(
         val size = element.properties.sumOf { it.type.size }
         var count = 0
         while (count < element.count && nextRow(size)) {
+            step(1)
             use(at - size)
             count++
         }

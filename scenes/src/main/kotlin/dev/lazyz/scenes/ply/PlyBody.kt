@@ -35,10 +35,16 @@ internal abstract class PlyBody(protected val source: Source, private val header
     inline fun readRows(element: PlyElement, use: (Int, PlyRow) -> Unit): Int {
         val row = PlyRow(element)
         var count = 0
-        while (count < element.count && read(row)) use(count++, row)
+        while (count < element.count && read(row)) {
+            step(row.properties.size)
+            use(count++, row)
+        }
         note(element, count)
         return count
     }
+
+    /** Counts [steps] of work, see [Source.step]. */
+    fun step(steps: Int): Unit = source.step(steps)
 
     fun note(element: PlyElement, count: Int) {
         present[element] = count
@@ -46,9 +52,12 @@ internal abstract class PlyBody(protected val source: Source, private val header
 
     /** Reports problems with the rows. Call it after the last row. */
     open fun warn() {
-        val isCut = present.any { (element, count) -> count < element.count }
-        if (!isCut) return
-        val rows = header.elements.filter { it in present }.joinToString { "${present[it]} of ${it.count} ${it.name}" }
+        val shown = header.elements.filter {
+            step(1)
+            it in present
+        }
+        if (shown.all { present.getValue(it) == it.count }) return
+        val rows = shown.take(MOST_SHOWN).joinToString { "${present[it]} of ${it.count} ${it.name}" }
         source.warn("the file is cut short and has only these rows: $rows; export or copy the model again")
     }
 
@@ -78,6 +87,9 @@ internal abstract class PlyBody(protected val source: Source, private val header
     }
 
     companion object {
+        /** Elements whose rows a warning counts. */
+        private const val MOST_SHOWN = 12
+
         /** The largest number of type [PlyType.UINT]. */
         private const val LONGEST_LIST = 4294967295.0
 
@@ -87,7 +99,7 @@ internal abstract class PlyBody(protected val source: Source, private val header
         fun of(
             source: Source,
             header: PlyHeader,
-            window: ByteWindow = ByteWindow(source.bytes),
+            window: ByteWindow = ByteWindow(source),
             size: Long = source.bytes.size.toLong(),
         ): PlyBody = when (header.format) {
             PlyFormat.ASCII -> PlyTextBody(source, header, window, size)

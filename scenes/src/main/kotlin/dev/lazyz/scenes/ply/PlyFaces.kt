@@ -100,7 +100,10 @@ internal class PlyFaces(
             tooSmall++
         } else {
             polygons.begin(count)
-            for (i in 0 until count) polygons.add(vertex(body.int(at + Int.SIZE_BYTES * i), body))
+            for (i in 0 until count) {
+                polygons.add(vertex(body.int(at + Int.SIZE_BYTES * i), body))
+                source.step()
+            }
         }
     }
 
@@ -132,6 +135,7 @@ internal class PlyFaces(
         var start = 0
         for (i in 0 until count) {
             val c = corners[i]
+            source.step()
             if (c == RESTART) {
                 start = i + 1
                 continue

@@ -46,12 +46,24 @@ internal class PlyProperty(val name: String, val type: PlyType, val countType: P
 internal class PlyElement(val name: String, val count: Int, val properties: List<PlyProperty>) {
     val hasLists: Boolean = properties.any { it.countType != null }
 
+    /** The numbers of the columns that are numbers, and of those that are lists, by name; of equal names the first. */
+    private val numbers = columns(isList = false)
+    private val lists = columns(isList = true)
+
+    private fun columns(isList: Boolean): Map<String, Int> {
+        val columns = HashMap<String, Int>()
+        for ((column, property) in properties.withIndex()) {
+            if ((property.countType != null) == isList) columns.putIfAbsent(property.name, column)
+        }
+        return columns
+    }
+
     /**
      * Returns the number of the first column whose name is in [names], or null. If [isList], searches only lists,
      * otherwise only numbers.
      */
     fun column(names: List<String>, isList: Boolean = false): Int? =
-        properties.indexOfFirst { it.name in names && (it.countType != null) == isList }.takeIf { it >= 0 }
+        names.mapNotNull { (if (isList) lists else numbers)[it] }.minOrNull()
 }
 
 /**

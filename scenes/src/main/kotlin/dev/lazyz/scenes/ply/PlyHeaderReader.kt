@@ -4,8 +4,9 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.TextLines
 
 /** Reads a [PlyHeader]: lines of words up to `end_header`. */
-internal class PlyHeaderReader(private val source: Source, private val lines: TextLines = TextLines(source.bytes)) {
-    private val elements = ArrayList<PlyElement>()
+internal class PlyHeaderReader(private val source: Source, private val lines: TextLines = TextLines(source)) {
+    /** The elements so far by their names. */
+    private val elements = LinkedHashMap<String, PlyElement>()
     private val properties = ArrayList<PlyProperty>()
     private var open: Pair<String, Int>? = null
     private var format: PlyFormat? = null
@@ -38,17 +39,17 @@ internal class PlyHeaderReader(private val source: Source, private val lines: Te
     private fun header(isMac: Boolean): PlyHeader {
         closeElement()
         val format = format ?: fail("the header names no format")
-        val vertices = elements.firstOrNull { it.name == "vertex" }
-        if (vertices == null) fail("the header has no element vertex")
+        if ("vertex" !in elements) fail("the header has no element vertex")
 
         // If lines end with a carriage return alone, a line feed after the last one is the body's first byte
         val isFirstOfBody = isMac && lines.bytes[lines.position - 1] == LINE_FEED
         val position = if (isFirstOfBody) lines.passed - 1 else lines.passed
-        return PlyHeader(format, elements, position, lines.number + 1, textureFiles)
+        return PlyHeader(format, elements.values.toList(), position, lines.number + 1, textureFiles)
     }
 
     private fun comment(words: List<String>) {
         if (words.getOrNull(1).equals("TextureFile", ignoreCase = true)) {
+            source.loading.items(source, 1)
             textureFiles.add(words.drop(2).joinToString(" "))
         }
     }
@@ -66,12 +67,13 @@ internal class PlyHeaderReader(private val source: Source, private val lines: Te
         val name = words.getOrNull(1) ?: fail("the element has no name")
         val count = words.getOrNull(2)?.toIntOrNull()?.takeIf { it >= 0 }
             ?: fail("the count of element $name must be a whole number in 0..${Int.MAX_VALUE}: ${words.getOrNull(2)}")
-        if (elements.any { it.name == name }) fail("there is a second element $name")
+        if (name in elements) fail("there is a second element $name")
+        source.loading.items(source, 1)
         open = Pair(name, count)
     }
 
     private fun closeElement() {
-        open?.let { (name, count) -> elements.add(PlyElement(name, count, properties.toList())) }
+        open?.let { (name, count) -> elements[name] = PlyElement(name, count, properties.toList()) }
         properties.clear()
         open = null
     }
@@ -81,6 +83,7 @@ internal class PlyHeaderReader(private val source: Source, private val lines: Te
         val isList = words.getOrNull(1) == "list"
         val name = words.getOrNull(if (isList) 4 else 2) ?: fail("the property has no name")
         val type = type(words[if (isList) 3 else 1])
+        source.loading.items(source, 1)
         properties.add(PlyProperty(name, type, if (isList) type(words[2]) else null))
     }
 

@@ -37,10 +37,11 @@ internal class PlyMeshes(
         val groups = LinkedHashMap<Int, Int>()
         val groupOf = Ints()
         for (triangle in 0 until triangles.triangleCount) {
+            source.step()
             val number = triangles.textureOf(triangle).coerceIn(-1, textureFiles.size)
             groupOf.add(groups.getOrPut(number) { groups.size })
         }
-        val parts = MeshParts(whole, groupOf, groups.size)
+        val parts = MeshParts(source, whole, groupOf, groups.size)
         return groups.map { (number, group) ->
             val material = Material(texture = texture(number))
             parts.part(group).withMaterials { material }

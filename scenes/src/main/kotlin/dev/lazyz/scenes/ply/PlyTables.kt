@@ -22,6 +22,7 @@ internal class PlyTables(private val source: Source, private val header: PlyHead
     /** Reads the tables in the order of the file. */
     fun read() {
         for (element in header.elements) {
+            source.step()
             val columns = when (element.name) {
                 "vertex" -> PlyVertices(source, element, origin).let { reader ->
                     vertices = reader.read(body)

@@ -13,7 +13,6 @@ import dev.lazyz.scenes.json.JsonText
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
-import kotlinx.serialization.json.JsonObject
 
 /** Reads a whole scene file; docs/scene-file.md describes the format. */
 internal class SceneFileReader(private val source: Source) {
@@ -22,8 +21,8 @@ internal class SceneFileReader(private val source: Source) {
         val root = JsonNode(source, "", element)
 
         // Check the version first: another version can have other keys
-        if (element is JsonObject && "lazyz" !in element) missingVersion(root, element)
-        if (element is JsonObject) version(root.named().getValue("lazyz"))
+        if (element is Map<*, *> && "lazyz" !in element) missingVersion(root, element)
+        if (element is Map<*, *>) version(root.named().getValue("lazyz"))
         val members =
             root.members(
                 "lazyz", "size", "up", "background", "depth", "camera", "lights", "environment",
@@ -61,7 +60,7 @@ internal class SceneFileReader(private val source: Source) {
         rig.on(scene, scene.camera(size?.width ?: 1, size?.height ?: 1))
     }
 
-    private fun missingVersion(root: JsonNode, element: JsonObject): Nothing {
+    private fun missingVersion(root: JsonNode, element: Map<*, *>): Nothing {
         if ("asset" in element) root.fail("is glTF, not a scene file", "name it *.gltf")
         root.fail("is no scene file: \"lazyz\" is missing", "begin it with \"lazyz\": ${SceneFile.VERSION}")
     }

@@ -150,7 +150,11 @@ internal class SurfaceReader(
 
     private fun polygon(node: JsonNode): Polygon {
         val members = node.members("contours", "fillRule")
-        val contours = members.required("contours").items().map { contour -> contour.items().map(::vertex) }
+        val contours = members.required("contours").items().map { contour ->
+            val vertices = contour.items()
+            source.loading.vertices(source, vertices.size.toLong())
+            vertices.map(::vertex)
+        }
         val fillRule = members["fillRule"]?.choice(SceneFileNames.fillRules) ?: FillRule.EVEN_ODD
         return Polygon(contours, Material(), fillRule)
     }

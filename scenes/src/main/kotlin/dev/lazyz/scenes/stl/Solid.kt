@@ -66,7 +66,10 @@ internal class Solid(
         val material = Material(name = name)
         if (palette == null) return Mesh(coordinates, triangles.toArray(), material, origin = origin)
         val mesh = CornerMesh(VertexArrays(coordinates), palette)
-        for (corner in 0 until triangles.size) mesh.add(triangles[corner], colors[corner / 3])
+        for (corner in 0 until triangles.size) {
+            source.step()
+            mesh.add(triangles[corner], colors[corner / 3])
+        }
         return mesh.mesh(source, material)
     }
 }

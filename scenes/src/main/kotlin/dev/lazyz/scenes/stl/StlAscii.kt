@@ -22,7 +22,7 @@ import org.joml.Vector3dc
 internal class StlAscii(
     private val source: Source,
     private val origin: Vector3dc,
-    private val lines: TextLines = TextLines(source.bytes),
+    private val lines: TextLines = TextLines(source),
 ) {
     private val decimal = Decimal()
 
@@ -41,6 +41,7 @@ internal class StlAscii(
                 isPeeked = false
             } else {
                 expect("solid")
+                source.loading.items(source, 1)
                 solid(begin(lines.restOfLine()))
             }
         }
@@ -87,8 +88,8 @@ internal class StlAscii(
             for (corner in 0 until 3) add(corner, solid)
             return
         }
-        val triangles = Triangulation.triangles(DoubleArray(corners.size) { corners[it].toDouble() })
-            ?: fail("the loop has ${corners.size / 3} vertices, which is more than a concave facet may have")
+        val triangles = Triangulation.triangles(DoubleArray(corners.size) { corners[it].toDouble() }, source::step)
+            ?: fail("the loop has ${corners.size / 3} vertices, ${Triangulation.TOO_MANY}")
         for (corner in triangles) add(corner, solid)
     }
 

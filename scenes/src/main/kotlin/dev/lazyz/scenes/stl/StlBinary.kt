@@ -64,6 +64,7 @@ internal object StlBinary {
         val solid = Solid("", layout.count.toInt(), colors?.palette)
         var facet = FACETS
         repeat(layout.count.toInt()) {
+            source.step(3)
             addCorners(buffer, facet, solid)
             if (colors != null) solid.color(colors.of(word(buffer, facet)))
             facet += FACET + (if (layout.hasPayload) word(buffer, facet) else 0)
@@ -81,7 +82,10 @@ internal object StlBinary {
 
     private fun colors(source: Source, buffer: ByteBuffer, count: Int): StlColors? {
         val words = StlWords()
-        for (facet in FACETS until FACETS + FACET * count step FACET) words.add(word(buffer, facet))
+        for (facet in FACETS until FACETS + FACET * count step FACET) {
+            source.step()
+            words.add(word(buffer, facet))
+        }
         return StlColors.of(source, words)
     }
 

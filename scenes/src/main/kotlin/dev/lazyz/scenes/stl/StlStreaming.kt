@@ -44,7 +44,7 @@ internal object StlStreaming {
     private fun spooled(source: Source, input: StreamedInput, origin: Vector3dc): FacetSpool {
         val spool = input.spool(source, origin)
         input.bytes().use { bytes ->
-            val lines = TextLines(ByteWindow(ByteArray(0), bytes))
+            val lines = TextLines(ByteWindow(source, bytes))
             StlAscii(source, origin, lines).read {
                 CornerSink { x, y, z ->
                     source.loading.streamedVertices(source, 1)

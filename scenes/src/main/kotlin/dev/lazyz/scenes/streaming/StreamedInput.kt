@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.streaming
 
+import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.writers.TemporaryFile
 import java.io.InputStream
@@ -72,16 +73,26 @@ internal class StreamedInput private constructor(
     companion object {
         private const val HEAD = 4096L
 
+        /** Bytes that are copied between two looks at the clock and the interrupt. */
+        private const val PIECE = 1 shl 16
+
         /** Opens the file at [path]. */
         fun ofFile(path: Path, name: String, folder: Path, most: Long?): StreamedInput =
             StreamedInput(path, name, null, SpoolSpace(folder, name, most))
 
-        /** Copies all of [input] to a temporary file, and opens it. */
-        fun ofStream(input: InputStream, name: String, folder: Path, most: Long?): StreamedInput {
-            val space = SpoolSpace(folder, name, most)
+        /** Copies all of [input] to a temporary file as part of [loading], and opens it. */
+        fun ofStream(input: InputStream, name: String, folder: Path, loading: Loading): StreamedInput {
+            val space = SpoolSpace(folder, name, loading.limits.spoolBytes)
             val copy = TemporaryFile.within(folder)
             try {
-                input.transferTo(space.counting(Channels.newOutputStream(copy.channel)))
+                val output = space.counting(Channels.newOutputStream(copy.channel))
+                val piece = ByteArray(PIECE)
+                while (true) {
+                    loading.look(name)
+                    val count = input.read(piece)
+                    if (count < 0) break
+                    output.write(piece, 0, count)
+                }
                 return StreamedInput(copy.path, name, copy, space)
             } catch (e: Throwable) {
                 copy.close()

@@ -1,16 +1,26 @@
 package dev.lazyz.scenes.text
 
+import dev.lazyz.scenes.loading.Source
 import java.io.IOException
 import java.io.InputStream
 
 /**
  * The part of a file that is in memory while the file is read from its beginning to its end. Not thread safe.
  *
+ * @property source the file, whose steps of work are counted
  * @param bytes the file, or its beginning
  * @param rest the rest of the file, or null if [bytes] is all of it
  * @param passed number of bytes of the file before [bytes]
  */
-internal class ByteWindow(bytes: ByteArray, private val rest: InputStream? = null, passed: Long = 0) {
+internal class ByteWindow(
+    val source: Source,
+    bytes: ByteArray = source.bytes,
+    private val rest: InputStream? = null,
+    passed: Long = 0,
+) {
+    /** The rest of a file of which nothing is in memory yet. The [rest] begins after [passed] bytes. */
+    constructor(source: Source, rest: InputStream, passed: Long = 0) : this(source, ByteArray(0), rest, passed)
+
     /** The bytes in memory. Indices refer to it. It changes in [readMore]. */
     var bytes: ByteArray = bytes
         private set
@@ -43,6 +53,7 @@ internal class ByteWindow(bytes: ByteArray, private val rest: InputStream? = nul
         if (isFull || old.size < least) bytes = ByteArray(maxOf(PIECE, least, if (isFull) 2 * old.size else 0))
         System.arraycopy(old, from, bytes, 0, kept)
         passed += from
+        source.loading.look(source.name)
         val count = checkNotNull(rest).readNBytes(bytes, kept, bytes.size - kept)
         size = kept + count
         isAtEnd = size < bytes.size

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.text
 
+import dev.lazyz.scenes.loading.Source
 import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer
 import java.nio.CharBuffer
@@ -15,9 +16,10 @@ import java.nio.charset.Charset
  * @param window the text, or its beginning; holds at least the current line, and changes with the line
  */
 internal class Statements(private val window: ByteWindow) {
-    /** The statements of all of [text]. */
-    constructor(text: ByteArray) : this(ByteWindow(text))
+    /** The statements of all of [text], which is all of [source] or of a file that it refers to. */
+    constructor(source: Source, text: ByteArray = source.bytes) : this(ByteWindow(source, text))
 
+    private val source = window.source
     private val text: ByteArray get() = window.bytes
     private val charset by lazy { charset(text) }
     private var position = 0
@@ -93,6 +95,7 @@ internal class Statements(private val window: ByteWindow) {
         while (until < limit && !TextLines.isSpace(bytes[until])) until++
         wordStart = from
         wordEnd = until
+        source.step()
         return from < until
     }
 
@@ -111,8 +114,13 @@ internal class Statements(private val window: ByteWindow) {
     /** Returns the word that was read last. */
     fun word(): String = decoded(wordStart, wordEnd)
 
-    /** Returns the text of [bytes] from [from] to [until] (exclusive), with tabs replaced by spaces. */
+    /**
+     * Returns the text of [bytes] from [from] to [until] (exclusive), with tabs replaced by spaces. Fails if it is
+     * longer than any name.
+     */
     fun decoded(from: Int, until: Int): String {
+        if (until - from > TextLines.LONGEST_NAME) TextLines.tooLong(source, number, TextLines.LONGEST_NAME)
+        source.step(until - from)
         val used = if (window.isPart) charset(bytes.copyOfRange(from, until)) else charset
         return String(bytes, from, until - from, used).replace('\t', ' ')
     }
@@ -143,21 +151,24 @@ internal class Statements(private val window: ByteWindow) {
         while (true) {
             val text = text
             val size = window.size
-            while (after < size) {
+            val limit = position + minOf(size - position, TextLines.LONGEST)
+            while (after < limit) {
                 val byte = text[after]
                 if (byte == LINE_FEED || byte == CARRIAGE_RETURN) break
                 if (byte == HASH) mayHaveComment = true
                 after++
             }
 
+            if (after - position >= TextLines.LONGEST) TextLines.tooLong(source, lines + 1, TextLines.LONGEST)
+
             // A carriage return at the end can be half of a line's end
             val isComplete = after < size && (text[after] == LINE_FEED || after + 1 < size)
             if (isComplete || window.isAtEnd) break
-            if (size - position >= TextLines.LONGEST) throw TextLines.tooLong(lines + 1)
             after -= position
             window.readMore(position)
             position = 0
         }
+        source.step(1 + (after - position) / TextLines.BYTES_A_STEP)
         start = position
         end = after
         trim(text)
@@ -181,7 +192,7 @@ internal class Statements(private val window: ByteWindow) {
             isOpen = isContinued()
             joined.write(text, start, end - start - (if (isOpen) 1 else 0))
             if (!isOpen || !hasMore()) break
-            if (window.isPart && joined.size() >= TextLines.LONGEST) throw TextLines.tooLong(number)
+            if (joined.size() >= TextLines.LONGEST) TextLines.tooLong(source, number, TextLines.LONGEST)
             joined.write(SPACE.toInt())
             readLine()
         }
@@ -196,6 +207,20 @@ internal class Statements(private val window: ByteWindow) {
         while (start < end && isBlank(bytes[end - 1])) end--
     }
 
+    private fun charset(bytes: ByteArray): Charset = if (isUtf8(bytes)) Charsets.UTF_8 else Charsets.ISO_8859_1
+
+    private fun isUtf8(bytes: ByteArray): Boolean {
+        val decoder = Charsets.UTF_8.newDecoder()
+        val input = ByteBuffer.wrap(bytes)
+        val output = CharBuffer.allocate(4096)
+        while (true) {
+            val result = decoder.decode(input, output.clear(), true)
+            source.step(output.position() / TextLines.BYTES_A_STEP)
+            if (result.isError) return false
+            if (result.isUnderflow) return true
+        }
+    }
+
     private companion object {
         const val SPACE = ' '.code.toByte()
         const val TAB = '\t'.code.toByte()
@@ -207,18 +232,5 @@ internal class Statements(private val window: ByteWindow) {
 
         /** Whether [byte] is a space or a control character. */
         fun isBlank(byte: Byte) = byte in 0..SPACE
-
-        fun charset(bytes: ByteArray): Charset = if (isUtf8(bytes)) Charsets.UTF_8 else Charsets.ISO_8859_1
-
-        fun isUtf8(bytes: ByteArray): Boolean {
-            val decoder = Charsets.UTF_8.newDecoder()
-            val input = ByteBuffer.wrap(bytes)
-            val output = CharBuffer.allocate(4096)
-            while (true) {
-                val result = decoder.decode(input, output.clear(), true)
-                if (result.isError) return false
-                if (result.isUnderflow) return true
-            }
-        }
     }
 }

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.text
 
+import dev.lazyz.scenes.loading.Source
 import java.io.ByteArrayInputStream
 import java.io.ByteArrayOutputStream
 import java.io.InputStreamReader
@@ -11,6 +12,7 @@ import java.nio.charset.Charset
  * Standard, section 23.8). Text without a mark stays unchanged.
  */
 internal object TextEncoding {
+    private const val PIECE = 8192
     private val marks = mapOf(
         Charsets.UTF_8 to byteArrayOf(0xEF.toByte(), 0xBB.toByte(), 0xBF.toByte()),
         Charsets.UTF_16LE to byteArrayOf(0xFF.toByte(), 0xFE.toByte()),
@@ -20,14 +22,22 @@ internal object TextEncoding {
     /** Whether [bytes] begin with a byte order mark. */
     fun hasMark(bytes: ByteArray): Boolean = charset(bytes) != null
 
-    /** Returns the text in [bytes] as UTF-8 without a mark; [bytes] itself if there is no mark. */
-    fun utf8(bytes: ByteArray): ByteArray {
+    /** Returns the bytes of [source] as UTF-8 without a mark; the same array if there is no mark. */
+    fun utf8(source: Source): ByteArray {
+        val bytes = source.bytes
         val charset = charset(bytes) ?: return bytes
         val mark = marks.getValue(charset).size
         if (charset == Charsets.UTF_8) return bytes.copyOfRange(mark, bytes.size)
         val out = ByteArrayOutputStream(bytes.size / 2)
         OutputStreamWriter(out, Charsets.UTF_8).use { writer ->
-            InputStreamReader(ByteArrayInputStream(bytes, mark, bytes.size - mark), charset).transferTo(writer)
+            val reader = InputStreamReader(ByteArrayInputStream(bytes, mark, bytes.size - mark), charset)
+            val piece = CharArray(PIECE)
+            while (true) {
+                val count = reader.read(piece)
+                if (count < 0) break
+                writer.write(piece, 0, count)
+                source.step(count)
+            }
         }
         return out.toByteArray()
     }

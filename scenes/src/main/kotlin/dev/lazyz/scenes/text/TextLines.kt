@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.text
 
+import dev.lazyz.scenes.loading.Source
 import java.io.IOException
 import java.util.StringTokenizer
 
@@ -14,8 +15,8 @@ import java.util.StringTokenizer
  * @param firstLine number of the first line
  */
 internal class TextLines(private val window: ByteWindow, position: Int = 0, firstLine: Int = 1) {
-    /** Lines of all of [bytes]. */
-    constructor(bytes: ByteArray) : this(ByteWindow(bytes))
+    /** Lines of all of [source]. */
+    constructor(source: Source) : this(ByteWindow(source))
 
     /** The text around the current line. The indices below refer to it. */
     val bytes: ByteArray get() = window.bytes
@@ -48,31 +49,41 @@ internal class TextLines(private val window: ByteWindow, position: Int = 0, firs
     /** Whether the line that was read last has no line terminator, because the text ends there. */
     val isCutOff: Boolean get() = lineEnd == size
 
-    /** Returns the next line without its terminator, or null after the last line. */
-    fun next(): String? =
-        if (nextLine()) String(bytes, lineStart, lineEnd - lineStart, Charsets.ISO_8859_1) else null
+    /** Returns the next line without its terminator, or null after the last line. Fails if it is longer than a name. */
+    fun next(): String? = if (nextLine()) shortText(lineStart) else null
+
+    /** Returns the text from [start] to the end of the line. Fails if it is longer than any name. */
+    private fun shortText(start: Int): String {
+        val length = lineEnd - start
+        if (length > LONGEST_NAME) tooLong(window.source, number, LONGEST_NAME)
+        window.source.step(length)
+        return String(bytes, start, length, Charsets.ISO_8859_1)
+    }
 
     /**
-     * Moves to the next line, before its first word; returns false after the last line.
+     * Moves to the next line, before its first word; returns false after the last line. Fails if the line has [LONGEST]
+     * bytes or more.
      *
-     * @throws IOException if the rest of the text cannot be read, or has a line of 32 MiB or more
+     * @throws IOException if the rest of the text cannot be read
      */
     fun nextLine(): Boolean {
         var end = position
         while (true) {
             val bytes = bytes
             val size = size
-            while (end < size && bytes[end] != LINE_FEED && bytes[end] != CARRIAGE_RETURN) end++
+            val limit = position + minOf(size - position, LONGEST)
+            while (end < limit && bytes[end] != LINE_FEED && bytes[end] != CARRIAGE_RETURN) end++
+            if (end - position >= LONGEST) tooLong(window.source, number + 1, LONGEST)
 
             // A carriage return at the end can be half of a line's end
             val isComplete = end < size && (bytes[end] == LINE_FEED || end + 1 < size)
             if (isComplete || window.isAtEnd) break
-            if (size - position >= LONGEST) throw tooLong(number + 1)
             end -= position
             window.readMore(position)
             position = 0
         }
         if (position >= size) return false
+        window.source.step(1 + (end - position) / BYTES_A_STEP)
         lineStart = position
         lineEnd = end
         wordEnd = position
@@ -90,6 +101,7 @@ internal class TextLines(private val window: ByteWindow, position: Int = 0, firs
         while (end < lineEnd && !isSpace(bytes[end])) end++
         wordStart = start
         wordEnd = end
+        window.source.step()
         return start < end
     }
 
@@ -133,9 +145,12 @@ internal class TextLines(private val window: ByteWindow, position: Int = 0, firs
     /** Returns the word that was read last. */
     fun word(): String = String(bytes, wordStart, wordEnd - wordStart, Charsets.ISO_8859_1)
 
-    /** Returns the words in the rest of the line, separated by single spaces, and moves to the end of the line. */
+    /**
+     * Returns the words in the rest of the line, separated by single spaces, and moves to the end of the line. Fails if
+     * they are longer than any name.
+     */
     fun restOfLine(): String {
-        val rest = words(String(bytes, wordEnd, lineEnd - wordEnd, Charsets.ISO_8859_1)).joinToString(" ")
+        val rest = words(shortText(wordEnd)).joinToString(" ")
         wordEnd = lineEnd
         return rest
     }
@@ -146,11 +161,18 @@ internal class TextLines(private val window: ByteWindow, position: Int = 0, firs
     }
 
     companion object {
-        /** The longest line of a text that is not in memory. */
+        /** Lines of a text must be shorter, in bytes. */
         const val LONGEST: Int = 1 shl 25
 
-        /** Returns the exception for line [number] of a text that is not in memory. */
-        fun tooLong(number: Int): IOException = IOException("line $number has $LONGEST bytes or more")
+        /** The longest line, in bytes, that is a name or a header, and not a list of numbers. */
+        const val LONGEST_NAME: Int = 1 shl 20
+
+        /** About as many bytes are looked at in the time of a step. */
+        const val BYTES_A_STEP: Int = 32
+
+        /** Fails, because line [number] has at least [most] bytes. */
+        fun tooLong(source: Source, number: Int, most: Int): Nothing =
+            source.fail("line $number", "the line has $most bytes or more", "divide it, or export the model again")
 
         private const val SPACE = ' '.code.toByte()
         private const val TAB = '\t'.code.toByte()

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.threemf
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.scenes.text.TextNumbers
 import java.io.IOException
 import java.io.InputStream
@@ -40,6 +41,7 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
     /** Moves to the next child of the element at depth [inside]. Returns false after the last one. */
     fun next(inside: Int): Boolean {
         while (true) {
+            source.step()
             when (guarded { reader.next() }) {
                 XMLStreamConstants.START_ELEMENT -> {
                     depth++
@@ -62,6 +64,14 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
     fun attribute(name: String): String? {
         for (i in 0 until attributeCount) if (attributeName(i) == name) return attribute(i)
         return null
+    }
+
+    /** Returns the words in the attribute called [name]; none if there is no such attribute. */
+    fun words(name: String): List<String> {
+        val text = attribute(name) ?: return emptyList()
+        if (text.length > MOST_TEXT) fail("the attribute $name has more than $MOST_TEXT characters")
+        source.step(text.length)
+        return TextLines.words(text)
     }
 
     /** Returns the namespace that the current element declares for [prefix], or null if it declares none. */
@@ -121,6 +131,9 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
 
     private companion object {
         const val MOST_NAMES = 10_000
+
+        /** The longest list of numbers in an attribute, in characters. */
+        const val MOST_TEXT = 1 shl 18
         const val REMEDY = "export or copy the model again"
 
         val factory: XMLInputFactory = XMLInputFactory.newDefaultFactory().apply {

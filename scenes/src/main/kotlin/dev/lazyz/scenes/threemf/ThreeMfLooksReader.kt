@@ -3,7 +3,6 @@ package dev.lazyz.scenes.threemf
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.collections.KindCounts
 import dev.lazyz.scenes.images.SrgbDecoding
-import dev.lazyz.scenes.text.TextLines
 
 /**
  * Reads the groups of colours and texture coordinates of a model part (core specification, 5, and "Materials and
@@ -90,10 +89,10 @@ internal class ThreeMfLooksReader(
         val group = ThreeMfLooks.Group()
         looks.groups[id()] = group
         val base = looks.groups[part.number("matid") ?: -1]
-        val indices = numbers("matindices").map { part.whole(it) }
+        val indices = part.words("matindices").map { part.whole(it) }
         val color = FloatArray(4)
         part.forEachChild { element ->
-            val weights = numbers("values").map { part.float(it) }
+            val weights = part.words("values").map { part.float(it) }
             val sum = FloatArray(4)
             for ((index, weight) in indices.zip(weights)) {
                 if (base == null || base.texture >= 0 || index >= base.numbers.size) continue
@@ -113,7 +112,7 @@ internal class ThreeMfLooksReader(
      * of colours that is next below it; or the first layer if none has a texture.
      */
     private fun readLayers() {
-        val ids = numbers("pids").map { part.whole(it) }
+        val ids = part.words("pids").map { part.whole(it) }
         val layers = ids.map { looks.groups[it] }
         val shown = layers.indexOfLast { it != null && it.texture >= 0 }.coerceAtLeast(0)
         val below = layers.take(shown).indexOfLast { it != null && it.texture < 0 }
@@ -123,7 +122,7 @@ internal class ThreeMfLooksReader(
         repeat(ids.size - (if (below < 0) 1 else 2)) { unused.add("layers of multiproperties") }
         val grounds = ArrayList<Int>()
         part.forEachChild {
-            val indices = numbers("pindices")
+            val indices = part.words("pindices")
             number(layer, indices, shown)?.let { number -> group.numbers.add(number) }
             number(layers.getOrNull(below), indices, below)?.let { number -> grounds.add(number) }
         }
@@ -149,8 +148,6 @@ internal class ThreeMfLooksReader(
         val (red, green, blue, alpha) = sum.map { (it / colors.size).toFloat() }
         return Rgba(red, green, blue, alpha)
     }
-
-    private fun numbers(attribute: String): List<String> = TextLines.words(part.attribute(attribute) ?: "")
 
     private companion object {
         val colorForm = Regex("#([0-9A-Fa-f]{6}|[0-9A-Fa-f]{8})")

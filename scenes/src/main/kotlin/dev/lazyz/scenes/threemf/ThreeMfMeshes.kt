@@ -31,11 +31,12 @@ internal class ThreeMfMeshes(private val source: Source, private val textures: T
         val coats = LinkedHashMap<Coat, Int>()
         val groupOf = Ints()
         for (triangle in 0 until found.triangles.size / 3) {
+            source.step(3)
             val coat = addTriangle(model.looks, found, triangle, default, mesh)
             groupOf.add(coats.getOrPut(coat) { coats.size })
         }
         val whole = source.loading.smoothed(source, mesh.mesh(source), ThreeMfParser.CREASE_ANGLE)
-        val parts = MeshParts(whole, groupOf, coats.size)
+        val parts = MeshParts(source, whole, groupOf, coats.size)
         val own = color(model.looks, default)
         return coats.map { (coat, group) ->
             val map = model.looks.textures[coat.texture]?.let { textures.find(it, coat.ground, coat.ground ?: own) }

@@ -1,7 +1,6 @@
 package dev.lazyz.scenes.threemf
 
 import dev.lazyz.scenes.collections.KindCounts
-import dev.lazyz.scenes.text.TextLines
 import org.joml.Matrix4d
 
 /**
@@ -32,7 +31,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
 
     /** Fails if the file requires an extension that is not supported (section 2.3.2 and 3.4). */
     private fun requireExtensions() {
-        for (prefix in TextLines.words(part.attribute("requiredextensions") ?: "")) {
+        for (prefix in part.words("requiredextensions")) {
             val namespace = part.namespace(prefix)
                 ?: part.fail("the required extension \"$prefix\" is not declared: there is no xmlns:$prefix")
             if (namespace == SLICES) {
@@ -44,6 +43,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
     }
 
     private fun readResource(name: String) {
+        part.source.loading.items(part.source, 1)
         if (name == "object") {
             readObject()
         } else if (!looks.read(name) && name !in IRRELEVANT) {
@@ -69,6 +69,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
     }
 
     private fun placement(): Placement {
+        part.source.loading.items(part.source, 1)
         val number = part.number("objectid") ?: part.fail("there is no objectid")
         return Placement(part.attribute("path") ?: model.path, number, transform())
     }
@@ -80,7 +81,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
      */
     private fun transform(): Matrix4d {
         val text = part.attribute("transform") ?: return Matrix4d()
-        val numbers = TextLines.words(text).map { part.float(it).toDouble() }
+        val numbers = part.words("transform").map { part.float(it).toDouble() }
         if (numbers.size != 12 || numbers.any { !it.isFinite() }) {
             part.fail("a transform is 12 numbers, not \"$text\"")
         }

@@ -64,6 +64,7 @@ internal class ZipArchive(private val source: Source) {
         }
         while (count-- > 0) {
             if (position < 0 || position > buffer.limit() - DIRECTORY_HEADER) damaged()
+            source.loading.items(source, 1)
             position = readEntry(position.toInt())
         }
     }

@@ -97,10 +97,26 @@ class TriangulationTest {
     }
 
     @Test
-    fun largeCrossingPolygonEnds() {
-        val random = Random(1)
-        val wild = DoubleArray(3 * Triangulation.MAX_CONCAVE_CORNERS) { if (it % 3 == 2) 0.0 else random.nextDouble() }
-        Triangulation.triangles(wild)
+    fun polygonsThatCrossThemselvesAreSmall() {
+        fun wild(corners: Int): DoubleArray {
+            val random = Random(1)
+            return DoubleArray(3 * corners) { if (it % 3 == 2) 0.0 else random.nextDouble() }
+        }
+        assertTrue(Triangulation.triangles(wild(Triangulation.MAX_CROSSING_CORNERS))!!.size > 3 * 100)
+        assertNull(Triangulation.triangles(wild(Triangulation.MAX_CROSSING_CORNERS + 1)))
+    }
+
+    @Test
+    fun oneCrossingIsTooManyForALargePolygon() {
+        fun bow(count: Int) = DoubleArray(3 * count) { i ->
+            when (i % 3) {
+                0 -> StrictMath.cos(2 * Math.PI * (i / 3) / count)
+                1 -> StrictMath.sin(4 * Math.PI * (i / 3) / count)
+                else -> 0.0
+            }
+        }
+        assertTrue(Triangulation.triangles(bow(100))!!.size > 3 * 90)
+        assertNull(Triangulation.triangles(bow(Triangulation.MAX_CONCAVE_CORNERS)))
     }
 
     @Test

@@ -106,8 +106,8 @@ class SceneFileErrorsTest {
             arguments(file(""""background": null"""), "background", "must be a colour"),
             arguments(file(""""background": [0, "x", 0]"""), "background[1]", "must be a number, not the text \"x\""),
             arguments(file(""""background": [0, 1e99, 0]"""), "background[1]", "1e99 is too large"),
-            arguments(file(""""background": [0, 01, 0]"""), "background[1]", "must be a number, not 01"),
-            arguments(file(""""background": [0, NaN, 0]"""), "background[1]", "must be a number, not NaN"),
+            arguments(file(""""background": [0, 01, 0]"""), "line 1, column 33", "is not JSON: Invalid numeric value"),
+            arguments(file(""""background": [0, NaN, 0]"""), "line 1, column 35", "is not JSON: Non-standard token 'NaN'"),
             arguments(file(""""camera": {"fit": {"elevation": 91}}"""), "camera.fit", "-90..90 degrees: 91"),
             arguments(file(""""camera": {"fit": {"fieldOfView": 141}}"""), "camera.fit", "at most 140.0 degrees: 141"),
             arguments(file(""""camera": {}"""), "camera", "\"orthographic\", \"screen\", \"fit\""),
@@ -186,10 +186,10 @@ class SceneFileErrorsTest {
             ),
             // Text that is not JSON
             arguments(file(""""up": "y", "up": "z""""), "line 1, column 25", "key \"up\" is given twice"),
-            arguments("{\"lazyz\": 1,\n \"size\": [1, 2\n}", "line 3, column 2", "is not JSON: "),
-            arguments("{\"lazyz\": 1,\n}", "line 1, column 13", "is not JSON: Trailing comma before the end"),
-            arguments("{}\u2028", "line 1, column 4", "is not JSON: Expected EOF after parsing"),
-            arguments("", null, "is not JSON: Cannot read Json element because of unexpected end of the input"),
+            arguments("{\"lazyz\": 1,\n \"size\": [1, 2\n}", "line 3, column 1", "is not JSON: "),
+            arguments("{\"lazyz\": 1,\n}", "line 2, column 1", "is not JSON: Unexpected character ('}'"),
+            arguments("{}\u2028", "line 1, column 3", "is not JSON: Unexpected character"),
+            arguments("", null, "is not JSON: there is no value"),
         )
     }
 }

@@ -239,7 +239,7 @@ class StreamedIndexedTest {
             assertRefused(file, inMemory.message!!)
         }
         assertRefused(write("model.obj", byteArrayOf(-1, -2) + "v".toByteArray(Charsets.UTF_16LE)), "byte order mark")
-        assertRefused(obj("v 0 0 0\n".padEnd(40_000_000, '1')), "line 2 has")
+        assertRefused(obj("v 0 0 0\n".padEnd(40_000_000, '1')), "line 2: the line has 33554432 bytes or more")
     }
 
     @Test

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.streaming
 
+import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.writers.Locks
 import java.nio.file.Path
 import kotlin.io.path.listDirectoryEntries
@@ -14,7 +15,7 @@ class StreamedInputTest {
     /** A copy without a lock would be deleted by the next process that writes to the folder. */
     @Test
     fun aCopyIsReadAgainAndStaysLocked() {
-        StreamedInput.ofStream("one two".byteInputStream(), "model", folder, null).use { input ->
+        StreamedInput.ofStream("one two".byteInputStream(), "model", folder, Loading()).use { input ->
             for ((position, text) in listOf(0L to "one two", 4L to "two", 7L to "")) {
                 input.bytes(position).use { bytes ->
                     val first = bytes.read()

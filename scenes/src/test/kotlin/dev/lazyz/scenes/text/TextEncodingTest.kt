@@ -21,15 +21,17 @@ class TextEncodingTest {
 
     private fun marked(text: String) = encodings.map { ("\uFEFF" + text).toByteArray(it) }
 
+    private fun utf8(bytes: ByteArray) = String(TextEncoding.utf8(TestSources.of(bytes)))
+
     @Test
     fun marksTellTheEncoding() {
-        for (bytes in marked("v ä\uD83D\uDE00")) assertEquals("v ä\uD83D\uDE00", String(TextEncoding.utf8(bytes)))
-        val plain = byteArrayOf(1, 2)
-        assertSame(plain, TextEncoding.utf8(plain))
+        for (bytes in marked("v ä\uD83D\uDE00")) assertEquals("v ä\uD83D\uDE00", utf8(bytes))
+        val plain = TestSources.of(byteArrayOf(1, 2))
+        assertSame(plain.bytes, TextEncoding.utf8(plain))
 
         // Half a pair with half a character behind it is replaced
         val broken = byteArrayOf(0xFF.toByte(), 0xFE.toByte(), 0x3D, 0xD8.toByte(), 7)
-        assertEquals("\uFFFD", String(TextEncoding.utf8(broken)))
+        assertEquals("\uFFFD", utf8(broken))
     }
 
     @Test

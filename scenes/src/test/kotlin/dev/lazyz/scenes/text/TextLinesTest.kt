@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.text
 
+import dev.lazyz.scenes.loading.TestSources
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull
@@ -9,7 +10,7 @@ import org.junit.jupiter.api.Test
 class TextLinesTest {
     @Test
     fun everyLineEndCountsOnce() {
-        val lines = TextLines("a\nb\r\nc\rd\n\ne".toByteArray())
+        val lines = TextLines(TestSources.of("a\nb\r\nc\rd\n\ne"))
         val read = generateSequence { lines.next()?.let { Pair(lines.number, it) } }.toList()
         assertEquals(listOf(1 to "a", 2 to "b", 3 to "c", 4 to "d", 5 to "", 6 to "e"), read)
         assertNull(lines.next())
@@ -18,7 +19,7 @@ class TextLinesTest {
 
     @Test
     fun positionIsTheStartOfTheNextLine() {
-        val lines = TextLines("ab\r\ncd\n".toByteArray())
+        val lines = TextLines(TestSources.of("ab\r\ncd\n"))
         lines.next()
         assertEquals(4, lines.position)
         lines.next()
@@ -27,7 +28,7 @@ class TextLinesTest {
 
     @Test
     fun wordsPassOverEmptyLines() {
-        val lines = TextLines("\n \t\n a \t B\n".toByteArray())
+        val lines = TextLines(TestSources.of("\n \t\n a \t B\n"))
         assertTrue(lines.nextWordOfText() && lines.isWord("a") && lines.number == 3)
         assertEquals(1, lines.countWords())
         assertFalse(lines.isBlank())

@@ -14,9 +14,11 @@ internal class SerializableLimits(limits: LoadLimits) : Serializable {
     private val nesting: Int = limits.nesting
     private val time: Duration? = limits.time
     private val references: ReferencePolicy = limits.references
+    private val items: Long = limits.items
 
     /** Returns the limits. */
-    fun limits(): LoadLimits = LoadLimits(decodedBytes, triangles, vertices, texels, nesting, time, references)
+    fun limits(): LoadLimits =
+        LoadLimits(decodedBytes, triangles, vertices, texels, nesting, time, references, items = items)
 
     private companion object {
         const val serialVersionUID = 1L

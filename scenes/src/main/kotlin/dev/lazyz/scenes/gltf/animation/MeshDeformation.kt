@@ -57,14 +57,22 @@ internal object MeshDeformation {
      *
      * @param matrices for each joint, the transform from the mesh's space to world space
      * @param isMirror whether to reverse the winding of the triangles
+     * @param look called before each vertex; throws to end the work
      * @throws IllegalArgumentException if a vertex follows a joint that does not exist
      */
-    fun skinned(mesh: Mesh, sets: List<JointWeights>, matrices: List<DoubleArray>, isMirror: Boolean): Mesh {
+    fun skinned(
+        mesh: Mesh,
+        sets: List<JointWeights>,
+        matrices: List<DoubleArray>,
+        isMirror: Boolean,
+        look: () -> Unit = {},
+    ): Mesh {
         val positions = FloatArray(mesh.positions.size)
         val normals = mesh.normals?.let { FloatArray(it.size) }
         val tangents = mesh.tangents?.let { FloatArray(it.size) }
         val matrix = DoubleArray(16)
         for (vertex in 0 until mesh.vertexCount) {
+            look()
             blend(vertex, sets, matrices, matrix)
             move(matrix, mesh.positions, positions, 3 * vertex)
             if (normals != null) turn(matrix, checkNotNull(mesh.normals), normals, 3 * vertex)

@@ -2,8 +2,8 @@ package dev.lazyz.scenes.gltf.document
 
 import dev.lazyz.scenes.loading.Source
 
-/** Warnings about a file, one for each kind, with how often it occurs. Not thread safe. */
-internal class CountedWarnings(private val source: Source) {
+/** Warnings about the file [source], one for each kind, with how often it occurs. Not thread safe. */
+internal class CountedWarnings(val source: Source) {
     private class Total(val example: String?) {
         var count = 0
     }

@@ -30,9 +30,13 @@ internal object FactorRanges {
     /** Clamps the numbers in [tree], the JSON of a file. */
     fun clamp(tree: JsonNode, warnings: CountedWarnings) {
         for (material in tree.path("materials")) {
+            warnings.source.step(ofMaterials.size)
             for (factor in ofMaterials) clamp(material, factor, "materials", warnings)
         }
-        for (node in tree.path("nodes")) clamp(node, rotation, "nodes", warnings)
+        for (node in tree.path("nodes")) {
+            warnings.source.step()
+            clamp(node, rotation, "nodes", warnings)
+        }
     }
 
     private fun clamp(element: JsonNode, factor: Factor, list: String, warnings: CountedWarnings) {

@@ -52,7 +52,10 @@ internal class GltfAccessors(private val document: GltfDocument) {
         val count = count(accessor, "accessors[$index]")
         document.source.loading.decode(document.source, count.toLong() * width * Float.SIZE_BYTES)
         val result = FloatArray(count * width)
-        data?.copy(count, width, isNormalized, result)
+        for (start in 0 until count step BLOCK) {
+            document.source.step(BLOCK)
+            data?.copy(start, minOf(BLOCK, count - start), width, isNormalized, result)
+        }
         accessor.sparse?.let { substitute(it, accessor, index, type, isNormalized, result) }
         return result
     }
@@ -78,6 +81,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         val from = data(places.bufferView, places.byteOffset, placeType, changes, ElementType.SCALAR, "$here.indices")
         val to = data(values.bufferView, values.byteOffset, componentType, changes, type, "$here.values")
         for (change in 0 until changes) {
+            document.source.step()
             val place = from.whole(change)
             if (place !in 0 until count) {
                 document.fail("$here.indices", "element $change is $place, but there are $count elements")
@@ -133,6 +137,9 @@ internal class GltfAccessors(private val document: GltfDocument) {
             ?: document.fail("accessors[$index].type", "${accessor.type} is not an element type")
 
     private companion object {
+        /** Elements that are read between two looks at the clock and the interrupt. */
+        const val BLOCK = 1 shl 16
+
         /**
          * The maximum number of elements of an accessor without a buffer view and without sparse values, whose elements
          * are all 0. Nothing needs more of them, and a few bytes of a file would request a lot of memory.

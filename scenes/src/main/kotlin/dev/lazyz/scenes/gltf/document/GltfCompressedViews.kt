@@ -41,7 +41,7 @@ internal class GltfCompressedViews(private val document: GltfDocument) {
                 document.fail("bufferViews[$index].byteLength", problem)
             }
             document.source.loading.decode(document.source, size + bytes.capacity())
-            return data.decode(ByteArray(bytes.capacity()).also { bytes.get(it) })
+            return data.decode(ByteArray(bytes.capacity()).also { bytes.get(it) }, document.source::step)
         } catch (e: MeshoptException) {
             document.source.fail(where, e.message ?: "it is damaged", "export or compress the model again", e)
         }

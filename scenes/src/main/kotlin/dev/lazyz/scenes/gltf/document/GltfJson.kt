@@ -3,7 +3,6 @@ package dev.lazyz.scenes.gltf.document
 import com.fasterxml.jackson.core.JsonFactory
 import com.fasterxml.jackson.core.JsonParser
 import com.fasterxml.jackson.core.JsonProcessingException
-import com.fasterxml.jackson.core.StreamReadConstraints
 import com.fasterxml.jackson.core.exc.StreamConstraintsException
 import com.fasterxml.jackson.databind.DeserializationContext
 import com.fasterxml.jackson.databind.JsonMappingException
@@ -17,9 +16,12 @@ import com.fasterxml.jackson.databind.type.LogicalType
 import de.javagl.jgltf.impl.v2.GlTF
 import de.javagl.jgltf.model.io.JacksonUtils
 import de.javagl.jgltf.model.io.JsonError
+import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.gltf.version1.Version1Json
+import dev.lazyz.scenes.json.JsonInput
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
+import java.io.ByteArrayInputStream
 import java.io.IOException
 
 /**
@@ -89,8 +91,10 @@ internal object GltfJson {
         FactorRanges.clamp(tree, warnings)
         try {
             reading.set(warnings)
-            return mapper.treeToValue(tree, GlTF::class.java).also { warnings.report() }
+            val tokens = JsonInput.again(source, mapper.treeAsTokens(tree))
+            return mapper.readValue(tokens, GlTF::class.java).also { warnings.report() }
         } catch (e: JsonMappingException) {
+            generateSequence<Throwable>(e) { it.cause }.firstOrNull { it is SceneFormatException }?.let { throw it }
             source.fail(place(e), WrongTypes.problem(e, tree), REMEDY, e)
         } catch (e: IOException) {
             source.fail(null, "the JSON is not glTF: ${brief(e.message)}", REMEDY, e)
@@ -102,17 +106,14 @@ internal object GltfJson {
     private fun version2(source: Source, tree: JsonNode, container: Container): JsonNode {
         source.warn("the file is glTF 1.0; its shaders, skins and animations are passed over: convert it to glTF 2.0")
         if (container == Container.VERSION_1) Version1Json.referToData(tree)
-        return Version1Json.convert(tree) { where, problem -> source.fail(where, problem, REMEDY) }
+        return Version1Json.convert(source, tree) { where, problem -> source.fail(where, problem, REMEDY) }
     }
 
     private fun tree(source: Source, start: Int, length: Int): JsonNode {
-        val nesting = source.loading.limits.nesting
-        val constraints =
-            StreamReadConstraints.builder().maxNestingDepth(nesting).maxStringLength(Int.MAX_VALUE).build()
-        val factory = JsonFactory.builder().streamReadConstraints(constraints).build()
         val what = if (start == 0) "this is no JSON" else "the JSON of the binary file is damaged"
+        val bytes = ByteArrayInputStream(source.bytes, start, withoutPadding(source, start, length))
         val tree: JsonNode? = try {
-            factory.createParser(source.bytes, start, withoutPadding(source, start, length)).use { parser ->
+            JsonInput.parser(source, bytes, JsonFactory::createParser).use { parser ->
                 mapper.readTree<JsonNode?>(parser).also { requireEnd(source, parser) }
             }
         } catch (e: JsonProcessingException) {
@@ -120,8 +121,7 @@ internal object GltfJson {
                 val most = source.loading.limits.nesting
                 source.fail(null, "the JSON is nested more than $most deep", Loading.NESTING_REMEDY, e)
             }
-            val place = e.location?.let { "line ${it.lineNr}, column ${it.columnNr}" }
-            source.fail(place, "$what: ${brief(e.originalMessage)}", REMEDY, e)
+            source.fail(e.location?.let(JsonInput::place), "$what: ${brief(e.originalMessage)}", REMEDY, e)
         } catch (e: IOException) {
             source.fail(null, "$what: ${brief(e.message)}", REMEDY, e)
         }
@@ -144,10 +144,7 @@ internal object GltfJson {
             false
         }
         if (end) return
-        val place = parser.currentLocation()
-        source.fail(
-            "line ${place.lineNr}, column ${place.columnNr}", "there is more text after the JSON object", REMEDY,
-        )
+        source.fail(JsonInput.place(parser.currentLocation()), "there is more text after the JSON object", REMEDY)
     }
 
     /**

@@ -54,18 +54,22 @@ internal class GltfNumbers(
         return result
     }
 
-    /** Writes the numbers of [count] elements to [to], [width] numbers for each element; see [number]. */
-    fun copy(count: Int, width: Int, isNormalized: Boolean, to: FloatArray) {
-        if (count == 0) return
+    /**
+     * Writes the numbers of [count] elements from [first] on to their places in [to], [width] numbers for each element;
+     * see [number].
+     */
+    fun copy(first: Int, count: Int, width: Int, isNormalized: Boolean, to: FloatArray) {
+        val elements = first until first + count
         if (componentType == GltfConstants.GL_FLOAT && stride == width * Float.SIZE_BYTES) {
-            bytes.duplicate().order(bytes.order()).position(offset).asFloatBuffer().get(to, 0, count * width)
+            val from = bytes.duplicate().order(bytes.order()).position(offset + first * stride)
+            from.asFloatBuffer().get(to, first * width, count * width)
         } else if (componentType == GltfConstants.GL_FLOAT) {
-            for (element in 0 until count) {
+            for (element in elements) {
                 val at = offset + element * stride
                 for (i in 0 until width) to[element * width + i] = bytes.getFloat(at + i * Float.SIZE_BYTES)
             }
         } else {
-            for (element in 0 until count) {
+            for (element in elements) {
                 for (i in 0 until width) to[element * width + i] = number(element, i, isNormalized)
             }
         }

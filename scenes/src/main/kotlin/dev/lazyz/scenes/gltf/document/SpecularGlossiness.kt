@@ -26,6 +26,7 @@ internal object SpecularGlossiness {
     /** Converts the materials in [tree], the JSON of a file. */
     fun convert(tree: JsonNode, warnings: CountedWarnings) {
         for (material in tree.path("materials")) {
+            warnings.source.step()
             val old = material.path("extensions").path(NAME)
             if (material !is ObjectNode || old !is ObjectNode) continue
             val isTextured = old.has(TEXTURE)

@@ -4,16 +4,21 @@ import com.openize.drako.DataType
 import com.openize.drako.Draco
 import com.openize.drako.DracoMesh
 import com.openize.drako.PointAttribute
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.loading.Source
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /** A mesh that was compressed with Draco and is decoded by the library drako. */
-internal class DracoGeometry private constructor(private val mesh: DracoMesh) {
+internal class DracoGeometry private constructor(private val mesh: DracoMesh, private val step: (Int) -> Unit) {
     /** Number of vertices. */
     val vertexCount: Int = mesh.numPoints
 
     /** Vertex numbers, three for each triangle. */
-    val triangles: IntArray = IntArray(mesh.numFaces * 3) { mesh.readCorner(it) }
+    val triangles: IntArray = IntArray(mesh.numFaces * 3) {
+        step(1)
+        mesh.readCorner(it)
+    }
 
     /**
      * Returns the numbers of the attribute with the given [id], vertex by vertex, or null if there is none. If
@@ -29,6 +34,7 @@ internal class DracoGeometry private constructor(private val mesh: DracoMesh) {
         val row = ByteArray(attribute.byteStride)
         val bytes = ByteBuffer.wrap(row).order(ByteOrder.LITTLE_ENDIAN)
         for (vertex in 0 until vertexCount) {
+            step(1)
             attribute.getValue(attribute.mappedIndex(vertex), row)
             for (i in 0 until width) result[vertex * width + i] = number(attribute, bytes, i, isNormalized)
         }
@@ -68,16 +74,22 @@ internal class DracoGeometry private constructor(private val mesh: DracoMesh) {
          *
          * @param milliseconds time limit, if it is shorter than the usual limit for data of this size; null for no such
          *   limit
+         * @param step counts steps of work, see [Source.step]
          * @param allow called with a number of bytes before they are allocated; throws if they are too many
          * @throws DracoException if the data is damaged
          */
-        fun decode(bytes: ByteArray, milliseconds: Long?, allow: (Long) -> Unit): DracoGeometry {
+        fun decode(
+            bytes: ByteArray,
+            milliseconds: Long?,
+            step: (Int) -> Unit = {},
+            allow: (Long) -> Unit,
+        ): DracoGeometry {
             val header = DracoHeader.read(bytes)
             allow(header.faces * FACE_BYTES + header.vertices * VERTEX_BYTES)
             val most = BASE_MILLISECONDS + bytes.size * MILLISECONDS_PER_BYTE
             return guarded {
                 val mesh = steps.run(minOf(most, milliseconds ?: most)) { Draco.decode(bytes) }
-                DracoGeometry(mesh as? DracoMesh ?: throw DracoException(DAMAGED))
+                DracoGeometry(mesh as? DracoMesh ?: throw DracoException(DAMAGED), step)
             }
         }
 
@@ -89,12 +101,12 @@ internal class DracoGeometry private constructor(private val mesh: DracoMesh) {
             step()
         } catch (e: DracoException) {
             throw e
+        } catch (e: SceneFormatException) {
+            throw e
         } catch (e: Exception) {
             throw DracoException(DAMAGED, e)
         } catch (e: StackOverflowError) {
             throw DracoException(DAMAGED, e)
-        } catch (e: OutOfMemoryError) {
-            throw DracoException("$DAMAGED, or needs more memory than there is", e)
         }
     }
 }

@@ -33,6 +33,7 @@ internal class GltfInstances(private val document: GltfDocument, private val acc
     }
 
     private fun instance(placed: PlacedNode, used: Map<String, FloatArray>, index: Int): PlacedNode? {
+        document.source.step(INSTANCE_STEPS)
         fun element(name: String): DoubleArray? = used[name]?.let { numbers ->
             val width = types.getValue(name).numComponents
             DoubleArray(width) { numbers[width * index + it].toDouble() }
@@ -55,6 +56,9 @@ internal class GltfInstances(private val document: GltfDocument, private val acc
         private const val SCALE = "SCALE"
         private val types =
             mapOf(TRANSLATION to ElementType.VEC3, ROTATION to ElementType.VEC4, SCALE to ElementType.VEC3)
+
+        /** Steps of work for an instance. */
+        private const val INSTANCE_STEPS = 10
 
         /** Memory for the objects of an instance without its surfaces. */
         private const val INSTANCE_BYTES = 256L

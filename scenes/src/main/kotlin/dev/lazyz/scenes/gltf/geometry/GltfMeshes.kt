@@ -26,6 +26,7 @@ internal class GltfMeshes(
 
     /** Returns the surfaces of a node, in world space: those of its mesh, once for each instance. */
     fun of(placed: PlacedNode): List<Surface> {
+        document.source.step()
         val index = placed.node.mesh ?: return emptyList()
         val mesh = document.element(document.json.meshes, index, "meshes", "nodes[${placed.index}].mesh")
         val own = meshes.getOrPut(index) {

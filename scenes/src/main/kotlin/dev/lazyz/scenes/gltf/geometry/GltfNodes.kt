@@ -41,6 +41,7 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
         val seen = HashSet<Int>()
         val placed = ArrayList<PlacedNode>()
         while (pending.isNotEmpty()) {
+            document.source.step()
             val next = pending.removeLast()
             val node = document.element(nodes, next.index, "nodes", next.where)
             if (!seen.add(next.index)) document.fail(next.where, "node ${next.index} has two parents or holds itself")
@@ -49,6 +50,7 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
             val isVisible = next.isVisible && ExtensionValues.of(node, VISIBILITY)?.get("visible") != false
             placed.add(PlacedNode(node, next.index, toWorld, isVisible))
             for ((i, child) in children(node).withIndex().reversed()) {
+                document.source.step()
                 pending.addLast(Pending(child ?: -1, "nodes[${next.index}].children[$i]", toWorld, isVisible))
             }
         }
@@ -64,6 +66,7 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
         val unknown = LinkedHashSet<Int>()
         var next: Int? = index
         while (next != null && next !in toWorld) {
+            document.source.step()
             document.element(nodes, next, "nodes", where)
             if (!unknown.add(next)) document.fail(where, "node $next holds itself")
             next = parents[next]

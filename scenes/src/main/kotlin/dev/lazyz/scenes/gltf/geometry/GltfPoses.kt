@@ -51,7 +51,9 @@ internal class GltfPoses(
             val matrices = skins.matrices(skin, "nodes[${placed.index}].skin")
             try {
                 copied(part)
-                return MeshDeformation.skinned(morphed, sets, matrices, NodeTransforms.isMirror(placed.toWorld))
+                return MeshDeformation.skinned(morphed, sets, matrices, NodeTransforms.isMirror(placed.toWorld)) {
+                    document.source.step(VERTEX_STEPS)
+                }
             } catch (e: IllegalArgumentException) {
                 document.source.fail("${part.where}.attributes", "${e.message}", "export the model again", e)
             }
@@ -131,6 +133,8 @@ internal class GltfPoses(
     }
 
     private companion object {
+        /** Steps of work for a vertex that follows joints. */
+        const val VERTEX_STEPS = 10
         const val VECTOR_BYTES = 12L
     }
 }

@@ -93,7 +93,9 @@ internal class GltfVertices(
         val array = ByteArray(bytes.capacity()).also { bytes.get(it) }
         return decoding {
             val loading = document.source.loading
-            DracoGeometry.decode(array, loading.millisecondsLeft) { loading.decode(document.source, it) }
+            DracoGeometry.decode(array, loading.millisecondsLeft, document.source::step) {
+                loading.decode(document.source, it)
+            }
         }
     }
 

@@ -13,7 +13,7 @@ internal object AttributeStream {
     private const val BLOCK_ELEMENTS = 256
 
     /** Returns [count] elements of [stride] bytes. [stride] is a multiple of 4 up to 256. */
-    fun decode(bytes: ByteArray, count: Int, stride: Int): ByteArray {
+    fun decode(bytes: ByteArray, count: Int, stride: Int, work: (Int) -> Unit): ByteArray {
         val header = if (bytes.isEmpty()) -1 else bytes[0].toInt() and 0xFF
         if (header != VERSION_0 && header != VERSION_1) {
             throw MeshoptException("the first byte is $header, not $VERSION_0 or $VERSION_1")
@@ -33,6 +33,7 @@ internal object AttributeStream {
         val result = ByteArray(count * stride)
         val most = minOf(BLOCK_BYTES / stride and 15.inv(), BLOCK_ELEMENTS)
         for (start in 0 until count step most) {
+            work(most)
             block(input, isFirst, deltas, result, start * stride, minOf(most, count - start))
         }
         input.expectEnd()

@@ -5,13 +5,14 @@ internal object IndexStream {
     private const val HEADER = 0xD1
     private const val TAIL = 4
 
-    fun decode(bytes: ByteArray, count: Int, stride: Int): ByteArray {
+    fun decode(bytes: ByteArray, count: Int, stride: Int, work: (Int) -> Unit): ByteArray {
         val input = CompressedBytes(bytes, 0, bytes.size - TAIL)
         val header = input.next()
         if (header != HEADER) throw MeshoptException("the first byte is $header, not $HEADER")
         val result = IndexBytes(count, stride)
         val last = IntArray(2)
         for (i in 0 until count) {
+            work(1)
             val code = input.variable()
             val baseline = code and 1
             last[baseline] += signed(code ushr 1)

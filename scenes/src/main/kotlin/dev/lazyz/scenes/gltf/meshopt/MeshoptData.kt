@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.gltf.meshopt
 
+import dev.lazyz.scenes.loading.Source
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
@@ -37,20 +38,21 @@ internal class MeshoptData(private val mode: String, private val filter: String,
     /**
      * Returns the elements decoded from [bytes].
      *
+     * @param work counts steps of work, see [Source.step]
      * @throws MeshoptException if the bytes are damaged
      */
-    fun decode(bytes: ByteArray): ByteBuffer {
+    fun decode(bytes: ByteArray, work: (Int) -> Unit = {}): ByteBuffer {
         val elements = when (mode) {
-            "ATTRIBUTES" -> AttributeStream.decode(bytes, count, stride)
-            "TRIANGLES" -> TriangleStream.decode(bytes, count, stride)
-            else -> IndexStream.decode(bytes, count, stride)
+            "ATTRIBUTES" -> AttributeStream.decode(bytes, count, stride, work)
+            "TRIANGLES" -> TriangleStream.decode(bytes, count, stride, work)
+            else -> IndexStream.decode(bytes, count, stride, work)
         }
         val buffer = ByteBuffer.wrap(elements).order(ByteOrder.LITTLE_ENDIAN)
         when (filter) {
-            "OCTAHEDRAL" -> MeshoptFilter.octahedral(SmallNumbers(buffer, stride / 4))
-            "QUATERNION" -> MeshoptFilter.quaternion(SmallNumbers(buffer, 2))
-            "EXPONENTIAL" -> MeshoptFilter.exponential(buffer)
-            "COLOR" -> MeshoptFilter.color(SmallNumbers(buffer, stride / 4))
+            "OCTAHEDRAL" -> MeshoptFilter.octahedral(SmallNumbers(buffer, stride / 4), work)
+            "QUATERNION" -> MeshoptFilter.quaternion(SmallNumbers(buffer, 2), work)
+            "EXPONENTIAL" -> MeshoptFilter.exponential(buffer, work)
+            "COLOR" -> MeshoptFilter.color(SmallNumbers(buffer, stride / 4), work)
         }
         return buffer
     }

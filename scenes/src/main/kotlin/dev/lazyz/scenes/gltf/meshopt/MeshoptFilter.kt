@@ -9,8 +9,9 @@ import kotlin.math.sqrt
  */
 internal object MeshoptFilter {
     /** Decodes unit vectors stored as two coordinates of an octahedron. The third number stands for 1. */
-    fun octahedral(numbers: SmallNumbers) {
+    fun octahedral(numbers: SmallNumbers, work: (Int) -> Unit) {
         for (i in 0 until numbers.count step 4) {
+            work(1)
             val one = numbers.signed(i + 2).toDouble()
             var x = numbers.signed(i) / one
             var y = numbers.signed(i + 1) / one
@@ -31,9 +32,10 @@ internal object MeshoptFilter {
      * Decodes unit quaternions stored without their largest component. The last two bits give the index of that
      * component.
      */
-    fun quaternion(numbers: SmallNumbers) {
+    fun quaternion(numbers: SmallNumbers, work: (Int) -> Unit) {
         val range = 1.0 / sqrt(2.0)
         for (i in 0 until numbers.count step 4) {
+            work(1)
             val code = numbers.signed(i + 3)
             val one = (code or 3).toDouble()
             val x = numbers.signed(i) / one * range
@@ -48,16 +50,18 @@ internal object MeshoptFilter {
     }
 
     /** Decodes floats stored as a 24-bit integer and a power of two. */
-    fun exponential(bytes: ByteBuffer) {
+    fun exponential(bytes: ByteBuffer, work: (Int) -> Unit) {
         for (at in 0 until bytes.capacity() step 4) {
+            work(1)
             val code = bytes.getInt(at)
             bytes.putFloat(at, StrictMath.scalb((code shl 8 shr 8).toFloat(), code shr 24))
         }
     }
 
     /** Decodes colours stored as luma, two differences, and alpha with a 1 bit above it. */
-    fun color(numbers: SmallNumbers) {
+    fun color(numbers: SmallNumbers, work: (Int) -> Unit) {
         for (i in 0 until numbers.count step 4) {
+            work(1)
             val code = numbers.unsigned(i + 3)
             val most = (Integer.highestOneBit(code) shl 1) - 1
             val luma = numbers.unsigned(i)

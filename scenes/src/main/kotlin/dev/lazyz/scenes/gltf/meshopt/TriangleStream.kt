@@ -13,11 +13,12 @@ internal class TriangleStream private constructor(private val bytes: ByteArray, 
     private var next = 0
     private var last = 0
 
-    private fun decode(): ByteArray {
+    private fun decode(work: (Int) -> Unit): ByteArray {
         if (bytes[0].toInt() and 0xFF != HEADER) {
             throw MeshoptException("the first byte is ${bytes[0].toInt() and 0xFF}, not $HEADER")
         }
         for (i in 0 until count / 3) {
+            work(1)
             val code = bytes[1 + i].toInt() and 0xFF
             if (code < 0xF0) knownEdge(i, code shr 4, code and 15) else newEdges(i, code and 15)
         }
@@ -108,6 +109,7 @@ internal class TriangleStream private constructor(private val bytes: ByteArray, 
         private const val EXPLICIT = 15
         private const val FROM_DATA = 14
 
-        fun decode(bytes: ByteArray, count: Int, stride: Int): ByteArray = TriangleStream(bytes, count, stride).decode()
+        fun decode(bytes: ByteArray, count: Int, stride: Int, work: (Int) -> Unit): ByteArray =
+            TriangleStream(bytes, count, stride).decode(work)
     }
 }

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode
 import com.fasterxml.jackson.databind.node.ArrayNode
 import com.fasterxml.jackson.databind.node.JsonNodeFactory
 import com.fasterxml.jackson.databind.node.ObjectNode
+import dev.lazyz.scenes.loading.Source
 
 /**
  * Converts the JSON of glTF 1.0 to that of glTF 2.0 (Khronos Group, "glTF 1.0 Specification"). Objects that are
@@ -13,6 +14,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode
  * and animations are dropped, so meshes appear as stored.
  */
 internal class Version1Json private constructor(
+    private val source: Source,
     private val old: JsonNode,
     private val fail: (String, String) -> Nothing,
 ) {
@@ -35,6 +37,7 @@ internal class Version1Json private constructor(
         }
         val materials = Version1Materials(old, names.getValue("textures"))
         for (name in names.getValue("materials").keys) {
+            source.step()
             list("materials").add(materials.convert(old.path("materials").path(name)))
         }
         copies("meshes", ::mesh)
@@ -57,6 +60,7 @@ internal class Version1Json private constructor(
 
     private fun copies(name: String, change: (String, ObjectNode) -> Unit = { _, _ -> }) {
         for (key in names.getValue(name).keys) {
+            source.step()
             val where = "$name.$key"
             val copy = old.path(name).path(key).deepCopy<JsonNode>()
             if (copy !is ObjectNode) fail(where, "it is no JSON object")
@@ -75,8 +79,10 @@ internal class Version1Json private constructor(
         }
     }
 
-    private fun index(name: JsonNode, list: String, where: String): Int =
-        names.getValue(list)[name.asText()] ?: fail(where, "$list.${name.asText()} does not exist")
+    private fun index(name: JsonNode, list: String, where: String): Int {
+        source.step()
+        return names.getValue(list)[name.asText()] ?: fail(where, "$list.${name.asText()} does not exist")
+    }
 
     /** Converts an accessor. In version 2.0 the stride is a property of the buffer view. */
     private fun accessor(where: String, accessor: ObjectNode) {
@@ -97,12 +103,14 @@ internal class Version1Json private constructor(
 
     private fun mesh(where: String, mesh: ObjectNode) {
         for ((i, primitive) in mesh.path("primitives").withIndex()) {
+            source.step()
             val here = "$where.primitives[$i]"
             if (primitive !is ObjectNode) fail(here, "it is no JSON object")
             refer(primitive, "indices", "accessors", here)
             refer(primitive, "material", "materials", here)
             val attributes = primitive["attributes"] as? ObjectNode ?: continue
             for (name in attributes.fieldNames().asSequence().toList()) {
+                source.step()
                 refer(attributes, name, "accessors", "$here.attributes")
                 if (name !in unnumbered) continue
                 attributes.set<JsonNode>("${name}_0", attributes.remove(name))
@@ -152,11 +160,11 @@ internal class Version1Json private constructor(
         }
 
         /**
-         * Returns equivalent JSON of version 2.0.
+         * Returns equivalent JSON of version 2.0 for the [tree] of [source].
          *
          * @param fail called with a place in the file and the problem there
          */
-        fun convert(tree: JsonNode, fail: (String, String) -> Nothing): ObjectNode =
-            Version1Json(tree, fail).convert()
+        fun convert(source: Source, tree: JsonNode, fail: (String, String) -> Nothing): ObjectNode =
+            Version1Json(source, tree, fail).convert()
     }
 }

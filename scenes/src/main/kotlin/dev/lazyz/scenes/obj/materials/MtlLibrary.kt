@@ -4,7 +4,6 @@ import de.javagl.obj.MtlReader
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.loading.FileReferences
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.scenes.text.TextEncoding
 import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.world.material.Material
 import java.io.IOException
@@ -68,9 +67,13 @@ internal class MtlLibrary(private val source: Source) {
             source.warn("material library ", "$file", " cannot be read; its materials are plain white")
             return
         }
-        val statements = MtlStatements(TextEncoding.utf8(bytes))
+        val library = Source(bytes, file.toString(), file.parent, source.loading)
+        library.decodeText()
+        val statements = MtlStatements(library)
         val entries = try {
             MtlReader.read(statements)
+        } catch (e: SceneFormatException) {
+            throw e
         } catch (e: IOException) {
             fail(file, statements, e)
         } catch (e: RuntimeException) {
@@ -78,6 +81,7 @@ internal class MtlLibrary(private val source: Source) {
         }
         val reader = MtlMaterials(source, listOfNotNull(file.parent, source.folder).distinct())
         for ((i, entry) in entries.withIndex()) {
+            library.step()
             val material = materials.getOrPut(entry.name) {
                 reader.material(entry, statements.maps[i], statements.haveOpacity[i], statements.model[i])
             }

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.obj.materials
 
 import dev.lazyz.scenes.collections.KindCounts
+import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.Statements
 import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.scenes.text.TextNumbers
@@ -14,8 +15,8 @@ import java.io.Reader
  * If an entry has both `d` (opacity) and `Tr` (its opposite, not in the specification), `d` is used. `MtlReader` does
  * not report line numbers; [number] is the current line, also after `MtlReader` has failed.
  */
-internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader()) {
-    private val statements = Statements(text)
+internal class MtlStatements(private val library: Source) : BufferedReader(Reader.nullReader()) {
+    private val statements = Statements(library)
 
     /** For each `newmtl` so far, its texture statements by keyword. */
     val maps = ArrayList<Map<String, MtlMap>>()
@@ -45,6 +46,7 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
     override fun readLine(): String? {
         while (statements.next()) {
             val statement = statements.statement()
+            if (statement.length > LONGEST) TextLines.tooLong(library, number, LONGEST)
             val keyword = statement.substringBefore(' ').lowercase()
             return prepared(keyword, statement) ?: continue
         }
@@ -70,6 +72,7 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
             endEntry()
             current = HashMap()
             maps.add(current)
+            library.loading.items(library, 1)
             haveOpacity.add(false)
             model.add(HashMap())
         } else if (maps.isEmpty()) {
@@ -115,6 +118,9 @@ internal class MtlStatements(text: ByteArray) : BufferedReader(Reader.nullReader
     }
 
     private companion object {
+        /** The longest statement, in characters: some names of files and some numbers. */
+        const val LONGEST = 1 shl 14
+
         /** Keywords of the texture statements that are rendered. */
         val USED_MAPS = setOf("map_kd", "map_d", "map_ke", "map_bump", "bump", "norm", "map_pm", "map_pr")
 

@@ -37,7 +37,7 @@ internal class ObjStreaming private constructor(private val source: Source, priv
     }
 
     private fun reading(read: (Statements) -> Unit) =
-        input.bytes().use { bytes -> read(Statements(ByteWindow(ByteArray(0), bytes))) }
+        input.bytes().use { bytes -> read(Statements(ByteWindow(source, bytes))) }
 
     companion object {
         /** Opens [input], whose first bytes [source] has. */

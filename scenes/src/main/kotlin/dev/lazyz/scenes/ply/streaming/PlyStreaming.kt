@@ -27,7 +27,7 @@ import org.joml.Vector3dc
  */
 internal class PlyStreaming private constructor(private val source: Source, private val input: StreamedInput) :
     AutoCloseable {
-    private val header = input.bytes().use { PlyHeaderReader(source, TextLines(ByteWindow(ByteArray(0), it))).read() }
+    private val header = input.bytes().use { PlyHeaderReader(source, TextLines(ByteWindow(source, it))).read() }
     private val vertexElement = header.elements.indexOfFirst { it.name == VERTEX }
 
     /** By element: the numbers of the columns that were used. */
@@ -69,6 +69,7 @@ internal class PlyStreaming private constructor(private val source: Source, priv
         val isBefore = header.elements.subList(0, vertexElement).any { it.name == FACE || it.name == STRIPS }
         val pass = if (isBefore) begin() else checkNotNull(pass)
         for (element in header.elements.drop(if (isBefore) 0 else vertexElement + 1)) {
+            source.step()
             when (element.name) {
                 FACE -> used[element] = faces.readFaces(element, pass.body)
                 STRIPS -> used[element] = faces.readStrips(element, pass.body)
@@ -82,7 +83,10 @@ internal class PlyStreaming private constructor(private val source: Source, priv
         faces.warn()
         writer.warn()
         val unused = PlyUnused()
-        for (element in header.elements) unused.add(element, used[element].orEmpty())
+        for (element in header.elements) {
+            source.step()
+            unused.add(element, used[element].orEmpty())
+        }
         unused.warn(source)
     }
 
@@ -101,10 +105,11 @@ internal class PlyStreaming private constructor(private val source: Source, priv
     private inner class Pass : AutoCloseable {
         private val bytes = input.bytes(header.bodyPosition)
         val body = PlyBody.of(
-            source, header, ByteWindow(ByteArray(0), bytes, header.bodyPosition), input.file.size,
+            source, header, ByteWindow(source, bytes, header.bodyPosition), input.file.size,
         )
 
         fun skip(element: PlyElement) {
+            source.step()
             if (element.properties.isNotEmpty()) body.readRows(element) { _, _ -> }
         }
 
