@@ -41,7 +41,6 @@ internal class StlAscii(
                 isPeeked = false
             } else {
                 expect("solid")
-                source.loading.items(source, 1)
                 solid(begin(lines.restOfLine()))
             }
         }

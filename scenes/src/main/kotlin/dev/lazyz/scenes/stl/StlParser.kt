@@ -30,7 +30,10 @@ internal object StlParser : SceneParser {
         source.loading,
         read = { origin ->
             val solids = ArrayList<Solid>()
-            StlAscii(source, origin).read { name -> Solid(name, origin = origin).also(solids::add) }
+            StlAscii(source, origin).read { name ->
+                source.loading.items(source, 1)
+                Solid(name, origin = origin).also(solids::add)
+            }
             solids
         },
         bounds = { solids -> solids.mapNotNull { Box.around(it.positions()) }.reduceOrNull(Box::union) },
