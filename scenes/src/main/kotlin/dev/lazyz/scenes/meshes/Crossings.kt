@@ -18,7 +18,7 @@ internal object Crossings {
             for (j in i + 2 until corners) {
                 val c = 2 * j
                 val d = 2 * ((j + 1) % corners)
-                if (xy[c] < left && xy[d] < left || xy[c] > right && xy[d] > right) continue
+                if ((xy[c] < left && xy[d] < left) || (xy[c] > right && xy[d] > right)) continue
                 if (areApart(xy, a, b, c, d) && areApart(xy, c, d, a, b)) return true
             }
         }
@@ -29,7 +29,7 @@ internal object Crossings {
     private fun areApart(xy: DoubleArray, a: Int, b: Int, c: Int, d: Int): Boolean {
         val first = side(xy, a, b, c)
         val second = side(xy, a, b, d)
-        return first < 0.0 && second > 0.0 || first > 0.0 && second < 0.0
+        return (first < 0.0 && second > 0.0) || (first > 0.0 && second < 0.0)
     }
 
     private fun side(xy: DoubleArray, a: Int, b: Int, c: Int): Double =

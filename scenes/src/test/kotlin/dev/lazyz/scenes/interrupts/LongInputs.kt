@@ -152,7 +152,8 @@ internal object LongInputs {
                 ThreeMfFiles.model("<object id=\"1\">${mesh.replace("</vertices>", "$it</vertices>")}</object>", item)
             },
             of("triangles", { "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>" }) {
-                ThreeMfFiles.model("<object id=\"1\">${mesh.replace("</triangles>", "$it</triangles>")}</object>", item)
+                val more = mesh.replace("</triangles>", "$it</triangles>")
+                ThreeMfFiles.model("<object id=\"1\">$more</object>", item)
             },
             of("groups", { "<basematerials id=\"${it + 2}\"/>" }) { ThreeMfFiles.model(it + thing, item) },
             of("colours", { "<m:color color=\"#123456\"/>" }) {

@@ -107,7 +107,10 @@ class SceneFileErrorsTest {
             arguments(file(""""background": [0, "x", 0]"""), "background[1]", "must be a number, not the text \"x\""),
             arguments(file(""""background": [0, 1e99, 0]"""), "background[1]", "1e99 is too large"),
             arguments(file(""""background": [0, 01, 0]"""), "line 1, column 33", "is not JSON: Invalid numeric value"),
-            arguments(file(""""background": [0, NaN, 0]"""), "line 1, column 35", "is not JSON: Non-standard token 'NaN'"),
+            arguments(
+                file(""""background": [0, NaN, 0]"""),
+                "line 1, column 35", "is not JSON: Non-standard token 'NaN'",
+            ),
             arguments(file(""""camera": {"fit": {"elevation": 91}}"""), "camera.fit", "-90..90 degrees: 91"),
             arguments(file(""""camera": {"fit": {"fieldOfView": 141}}"""), "camera.fit", "at most 140.0 degrees: 141"),
             arguments(file(""""camera": {}"""), "camera", "\"orthographic\", \"screen\", \"fit\""),

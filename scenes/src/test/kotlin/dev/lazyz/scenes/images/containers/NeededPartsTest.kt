@@ -129,7 +129,8 @@ class NeededPartsTest {
     @Test
     fun memoryThatIsTooSmallIsNoDamage() {
         val png = PngFile.of(1, 1, 8, PngFile.GREY, listOf(bytes(1)))
-        for (failure in listOf<Exception>(IIOException("a", OutOfMemoryError()), RuntimeException(OutOfMemoryError()))) {
+        val full = OutOfMemoryError()
+        for (failure in listOf<Exception>(IIOException("a", full), RuntimeException(full))) {
             assertThrows(OutOfMemoryError::class.java) {
                 ImageDecoder.decode(png, admit = {}) { throw failure }
             }
