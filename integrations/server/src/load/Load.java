@@ -38,17 +38,18 @@ public class Load {
     private static final ConcurrentLinkedQueue<Long> TIMES = new ConcurrentLinkedQueue<>();
     private static volatile long end;
     private static int port;
+    private static int adminPort;
 
     public static void main(String[] args) throws Exception {
         int seconds = args.length > 1 ? Integer.parseInt(args[1]) : 60;
         int clients = args.length > 2 ? Integer.parseInt(args[2]) : 64;
         Process server = new ProcessBuilder(
                         program("java"), "-Xmx256m", "-jar", args[0], //
-                        "--port", "0", "--upload-time", "10", "--queue", "32")
+                        "--port", "0", "--admin-port", "0", "--upload-time", "10", "--queue", "32")
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         try {
-            port = port(server);
+            readPorts(server);
             // Classes and compiled code are there after the first requests
             end = System.nanoTime() + 5_000_000_000L;
             run(clients);
@@ -71,16 +72,16 @@ public class Load {
         return System.getProperty("java.home") + "/bin/" + name;
     }
 
-    /** Reads the port from the first line of the log, and drops the other lines. */
-    private static int port(Process server) throws IOException {
+    /** Reads the ports from the first two lines of the log, and drops the other lines. */
+    private static void readPorts(Process server) throws IOException {
         var lines = server.inputReader();
-        int port = URI.create(lines.readLine().split("(?=http)")[1]).getPort();
+        port = URI.create(lines.readLine().split("(?=http)")[1]).getPort();
+        adminPort = URI.create(lines.readLine().split("(?=http)")[1]).getPort();
         Thread reader = new Thread(() -> lines.lines().forEach(line -> {}));
         reader.setDaemon(true);
         // The pipe is closed when the server ends
         reader.setUncaughtExceptionHandler((thread, closed) -> {});
         reader.start();
-        return port;
     }
 
     private static void run(int clients) throws InterruptedException {
@@ -255,7 +256,7 @@ public class Load {
 
     private static Map<String, Double> metrics() throws IOException, InterruptedException {
         HttpRequest request =
-                HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + port + "/metrics")).build();
+                HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + adminPort + "/metrics")).build();
         Map<String, Double> metrics = new TreeMap<>();
         String page = HTTP.send(request, HttpResponse.BodyHandlers.ofString()).body();
         page.lines().filter(it -> !it.startsWith("#")).forEach(it -> {
@@ -265,9 +266,9 @@ public class Load {
         return metrics;
     }
 
-    /** Waits until no request is open but this one. */
+    /** Waits until a number is small enough. */
     private static void await(String gauge, int value) throws IOException, InterruptedException {
-        for (int i = 0; i < 3000 && metrics().get(gauge) > value + 1; i++) Thread.sleep(10);
+        for (int i = 0; i < 3000 && metrics().get(gauge) > value; i++) Thread.sleep(10);
     }
 
     private static long heapAfterCollection(Process server) throws Exception {

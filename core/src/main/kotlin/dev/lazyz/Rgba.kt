@@ -128,7 +128,7 @@ public class Rgba @JvmOverloads constructor(
         @JvmStatic
         public fun parse(text: String): Rgba {
             if (!text.startsWith("#")) CssColors.byName[text.lowercase()]?.let { return it }
-            require(text.matches(HEX)) {
+            require(text.startsWith("#") && text.length - 1 in DIGITS && text.drop(1).all(::isHexadecimal)) {
                 "colour must be #rgb, #rrggbb, #rrggbbaa, or a name of CSS, such as skyblue or transparent: $text"
             }
             val digits = text.substring(1)
@@ -143,6 +143,9 @@ public class Rgba @JvmOverloads constructor(
         private const val GREEN_SEXTANT = 2.0
         private const val BLUE_SEXTANT = 4.0
 
-        private val HEX = Regex("#([0-9a-fA-F]{3}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
+        /** The possible numbers of hexadecimal digits. */
+        private val DIGITS = setOf(3, 6, 8)
+
+        private fun isHexadecimal(digit: Char): Boolean = digit in '0'..'9' || digit.lowercaseChar() in 'a'..'f'
     }
 }

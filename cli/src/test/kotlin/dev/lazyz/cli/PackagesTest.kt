@@ -69,6 +69,17 @@ class PackagesTest {
         assertEquals(emptyList<Source>(), lost)
     }
 
+    /** A regular expression can take a time that grows with the square of its input, or overflow the stack. */
+    @Test
+    fun noRegularExpressionSeesInput() {
+        val patterns = Regex("""\bRegex\(|\btoRegex\(|\bPattern\.compile\(|\.(replaceAll|matches)\("""")
+        val offences = MODULES.filter { it != "jmh" }.flatMap(sources::getValue).flatMap { source ->
+            source.text.lines().filter { patterns.containsMatchIn(it.substringBefore(" * ")) }
+                .map { "${source.path}: $it" }
+        }
+        assertEquals(emptyList<String>(), offences)
+    }
+
     /** The formatter checks code, but not comments. */
     @Test
     fun commentsFitInto120Columns() {

@@ -175,11 +175,16 @@ public object Scenes {
     ): StreamedScene = StreamReading.open(input, format, name, limits, spool)
 
     /**
-     * Returns the format that [bytes], the contents of a whole file, look like, or null. Cost: a look at the first
-     * bytes. The rest of the file can still be invalid.
+     * Returns the format that a file looks like, or null. Cost: a look at the first bytes. The rest of the file can
+     * still be invalid.
+     *
+     * @param bytes the contents of the file, or the first 4096 bytes or more of it
+     * @param size the number of bytes of the whole file
      */
     @JvmStatic
-    public fun formatOf(bytes: ByteArray): SceneFormat? = FormatSniffer.format(bytes)
+    @JvmOverloads
+    public fun formatOf(bytes: ByteArray, size: Long = bytes.size.toLong()): SceneFormat? =
+        FormatSniffer.format(bytes, size)
 
     /**
      * Reads an image file as a texture: PNG, JPEG, TGA, TIFF, BMP, GIF or WBMP. Texels are the sRGB codes of the file;

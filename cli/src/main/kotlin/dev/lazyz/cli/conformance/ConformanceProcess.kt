@@ -68,7 +68,6 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         private const val MAIN = "dev.lazyz.cli.MainKt"
         private const val INCUBATOR = "WARNING: Using incubator modules"
 
-        private val COLLECTOR = Regex("-XX:\\+Use\\w+GC")
         private const val SERIAL = "-XX:+UseSerialGC"
 
         /** With this garbage collector, rules about memory measure the heap in one collection instead of several. */
@@ -81,7 +80,8 @@ internal class ConformanceProcess private constructor(private val folder: Path) 
         /** Returns the child's JVM options for a parent that has [options]: a collector that the user chose is kept. */
         fun inherited(options: List<String>): List<String> {
             val kept = options.filter { option -> NOT_INHERITED.none { option.startsWith(it) } }
-            return if (kept.filter(COLLECTOR::matches).all { it == SERIAL }) EXACT_COLLECTOR + kept else kept
+            val collectors = kept.filter { it.startsWith("-XX:+Use") && it.endsWith("GC") }
+            return if (collectors.all { it == SERIAL }) EXACT_COLLECTOR + kept else kept
         }
 
         /** Returns the object for this process if it is a child process; null in the parent. */

@@ -50,18 +50,23 @@ internal sealed class Cut(private val text: String) {
     }
 
     companion object {
-        private const val NUMBER = """[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"""
-        private val AXIS = Regex("([+-]?)([xyzXYZ])=($NUMBER)(%?)")
-        private val GENERAL = Regex("($NUMBER),($NUMBER),($NUMBER),($NUMBER)")
+        private val axes = listOf("x", "y", "z")
 
         /** Returns the plane that [text] describes, or null if it describes none. */
-        fun parse(text: String): Cut? {
-            AXIS.matchEntire(text)?.let { match ->
-                val (sign, axis, place, percent) = match.destructured
-                val direction = if (sign == "-") -1 else 1
-                return Axis(text, "xyz".indexOf(axis.lowercase()), direction, place.toDouble(), percent == "%")
-            }
-            val numbers = GENERAL.matchEntire(text)?.groupValues?.drop(1)?.map { it.toDouble() } ?: return null
+        fun parse(text: String): Cut? = if ('=' in text) axis(text) else general(text)
+
+        private fun axis(text: String): Cut? {
+            val name = text.substringBefore('=').lowercase()
+            val axis = axes.indexOf(if (name.startsWith('+') || name.startsWith('-')) name.drop(1) else name)
+            val place = text.substringAfter('=')
+            val number = decimal(place.removeSuffix("%"))
+            if (axis < 0 || number == null) return null
+            return Axis(text, axis, if (name.startsWith('-')) -1 else 1, number, place.endsWith('%'))
+        }
+
+        private fun general(text: String): Cut? {
+            val numbers = text.split(',').map { decimal(it) ?: return null }
+            if (numbers.size != 4) return null
             val (a, b, c, d) = numbers
             val square = a * a + b * b + c * c
             return if (square > 0.0 && square.isFinite() && d.isFinite()) General(text, a, b, c, d) else null

@@ -11,6 +11,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.Selector
 import dev.lazyz.cli.input.Backdrop
 import dev.lazyz.cli.input.CameraChoice
+import dev.lazyz.cli.input.decimal
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Nearest
 import dev.lazyz.filter.VerticalGradient
@@ -28,22 +29,24 @@ internal fun names(all: Collection<String>): String = all.toList().dropLast(1).j
 
 /** An option whose value is a size: `640x480`, or `512` for a square. */
 internal fun RawOption.size(): NullableOption<ImageSize, ImageSize> = convert("WxH") { text ->
-    val form = Regex("""(-?\d+)(?:[xX×](-?\d+))?""")
-    val (width, second) = form.matchEntire(text)?.destructured
-        ?: fail("'$text' is not WIDTHxHEIGHT, such as 640x480, or one number for a square")
-    val height = second.ifEmpty { width }
-    val sides = listOf(width, height).map { side ->
+    val words = text.split(*TIMES)
+    if (words.size > 2 || !words.all(::isWhole)) {
+        fail("'$text' is not WIDTHxHEIGHT, such as 640x480, or one number for a square")
+    }
+    val sides = words.map { side ->
         side.toIntOrNull()?.takeIf { it in 1..Raster.MAX_SIDE }
             ?: fail("width and height must be in 1..${Raster.MAX_SIDE}: $text")
     }
-    ImageSize(sides[0], sides[1])
+    ImageSize(sides.first(), sides.last())
 }
 
 /** An option whose value is a region: `100,50,320x240`, column and row of the upper left pixel, width and height. */
 internal fun RawOption.region(): NullableOption<Region, Region> = convert("X,Y,WxH") { text ->
-    val form = Regex("""(-?\d+),(-?\d+),(-?\d+)[xX×](-?\d+)""")
-    val words = form.matchEntire(text)?.groupValues?.drop(1)
-        ?: fail("'$text' is not X,Y,WIDTHxHEIGHT, such as 100,50,320x240")
+    val parts = text.split(',')
+    val words = parts.dropLast(1) + parts.last().split(*TIMES)
+    if (parts.size != 3 || words.size != 4 || !words.all(::isWhole)) {
+        fail("'$text' is not X,Y,WIDTHxHEIGHT, such as 100,50,320x240")
+    }
     val (x, y, width, height) = words.map { it.toIntOrNull()?.takeIf { side -> side <= Raster.MAX_SIDE } ?: -1 }
     if (x < 0 || y < 0) fail("column and row must be in 0..${Raster.MAX_SIDE - 1}: $text")
     if (width < 1 || height < 1) fail("width and height must be in 1..${Raster.MAX_SIDE}: $text")
@@ -109,7 +112,7 @@ internal fun RawOption.number(
     range: ClosedRange<Double>,
     unit: String,
 ): NullableOption<Double, Double> = convert(metavar) { text ->
-    val number = if (DECIMAL.matches(text)) text.toDouble() else fail("'$text' is not a number")
+    val number = decimal(text) ?: fail("'$text' is not a number")
     if (number !in range) fail("must be in ${plain(range.start)}..${plain(range.endInclusive)}$unit: $text")
     number
 }
@@ -117,7 +120,7 @@ internal fun RawOption.number(
 /** An option whose value is a decimal number for which [use] does not throw [IllegalArgumentException]. */
 internal fun RawOption.number(metavar: String, use: (Double) -> Unit): NullableOption<Double, Double> =
     convert(metavar) { text ->
-        val number = if (DECIMAL.matches(text)) text.toDouble() else fail("'$text' is not a number")
+        val number = decimal(text) ?: fail("'$text' is not a number")
         try {
             use(number)
         } catch (illegal: IllegalArgumentException) {
@@ -129,9 +132,8 @@ internal fun RawOption.number(metavar: String, use: (Double) -> Unit): NullableO
 
 /** An option whose value is a point or a direction: `1,-2.5,0`. */
 internal fun RawOption.vector(): NullableOption<Vector3dc, Vector3dc> = convert("X,Y,Z") { text ->
-    val words = text.split(',')
-    if (words.size != 3 || !words.all { DECIMAL.matches(it) }) fail("'$text' is not X,Y,Z, such as 1,-2.5,0")
-    val numbers = words.map { it.toDouble() }
+    val numbers = text.split(',').mapNotNull(::decimal)
+    if (numbers.size != 3 || text.count { it == ',' } != 2) fail("'$text' is not X,Y,Z, such as 1,-2.5,0")
     if (!numbers.all { it.isFinite() }) fail("numbers must be finite: $text")
     Vector3d(numbers[0], numbers[1], numbers[2])
 }
@@ -169,7 +171,7 @@ internal fun RawOption.backdrop(): NullableOption<Backdrop, Backdrop> =
 
 /** Returns the colour that [text] describes, or calls [fail] with a message. */
 private fun color(text: String, fail: (String) -> Nothing): Rgba = try {
-    Rgba.parse(if (text.matches(Regex("[0-9a-fA-F]{3,8}"))) "#$text" else text)
+    Rgba.parse(if (text.startsWith('#') || text.lowercase() in Rgba.names) text else "#$text")
 } catch (_: IllegalArgumentException) {
     val hint = Nearest.hint(text, Rgba.names)
     fail("'$text' is not a colour: neither a name of CSS nor hexadecimal rgb, rrggbb or rrggbbaa$hint")
@@ -202,6 +204,12 @@ private fun <T : Any> named(name: String, values: Map<String, T>, fail: (String)
     values[name.lowercase()]
         ?: fail("'$name' is not one of ${values.keys.joinToString()}${Nearest.hint(name, values.keys)}")
 
-private val DECIMAL = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
+/** What stands between a width and a height. */
+private val TIMES = charArrayOf('x', 'X', '×')
+
+private fun isWhole(word: String): Boolean {
+    val digits = word.removePrefix("-")
+    return digits.isNotEmpty() && digits.all { it in '0'..'9' }
+}
 
 private fun plain(number: Double): String = if (number % 1.0 == 0.0) number.toLong().toString() else number.toString()

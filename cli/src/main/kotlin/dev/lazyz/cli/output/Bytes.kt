@@ -3,7 +3,8 @@ package dev.lazyz.cli.output
 /** Formats and parses amounts of memory. */
 internal object Bytes {
     private val units = listOf("bytes", "KiB", "MiB", "GiB", "TiB")
-    private val form = Regex("""(\d+) ?(?:([kmgt])(?:ib?)?|b|bytes)?""", RegexOption.IGNORE_CASE)
+    private val powers =
+        listOf(setOf("", "b", "bytes")) + listOf("k", "m", "g", "t").map { setOf(it, "${it}i", "${it}ib") }
 
     /** Returns [bytes] in the largest unit in which the amount is at least 1, with one decimal: `5.9 GiB`. */
     fun readable(bytes: Long): String {
@@ -22,8 +23,11 @@ internal object Bytes {
      * is not accepted, because it may also mean 1000 bytes.
      */
     fun parse(text: String): Long? {
-        val (digits, unit) = form.matchEntire(text)?.destructured ?: return null
-        val shift = if (unit.isEmpty()) 0 else 10 * ("kmgt".indexOf(unit.lowercase()) + 1)
+        val digits = text.takeWhile { it in '0'..'9' }
+        val unit = text.substring(digits.length).removePrefix(" ").lowercase()
+        val power = powers.indexOfFirst { unit in it }
+        if (digits.isEmpty() || power < 0) return null
+        val shift = 10 * power
         val number = digits.toLongOrNull() ?: Long.MAX_VALUE
         return if (number > Long.MAX_VALUE shr shift) Long.MAX_VALUE else number shl shift
     }

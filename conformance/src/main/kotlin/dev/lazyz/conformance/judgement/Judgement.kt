@@ -99,7 +99,7 @@ internal fun refused(renderer: Renderer, case: FrameCase) {
         "renders it"
     } catch (e: IllegalArgumentException) {
         val index = case.frame.primitives.indexOfFirst { it.isTranslucent }
-        val isNamed = Regex("\\b[0-9]+\\b").findAll(e.message.orEmpty()).any { isTranslucent(case, it.value) }
+        val isNamed = numbersIn(e.message.orEmpty()).any { case.frame.primitives.getOrNull(it)?.isTranslucent == true }
         if (rows == 0 && isNamed) return
         if (rows > 0) "delivers $rows rows before it throws" else "does not name primitive $index: ${e.message}"
     } catch (e: Exception) {
@@ -108,8 +108,10 @@ internal fun refused(renderer: Renderer, case: FrameCase) {
     throw Violation("${renderer.id} does not blend, and $answer\nin\n$case", case)
 }
 
-private fun isTranslucent(case: FrameCase, index: String): Boolean =
-    case.frame.primitives.getOrNull(index.toIntOrNull() ?: -1)?.isTranslucent == true
+/** Returns the whole numbers that are words of [text]. */
+internal fun numbersIn(text: String): List<Int> =
+    text.map { if (it.isLetterOrDigit() || it == '_') it else ' ' }.joinToString("").split(' ')
+        .filter { word -> word.all { it in '0'..'9' } }.mapNotNull { it.toIntOrNull() }
 
 /** Returns whether the primitives [a] and [b] both cover column [x] of row [y], at the same depth. */
 internal fun Frame.isTie(a: Int, b: Int, x: Int, y: Int): Boolean =

@@ -12,6 +12,7 @@ import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.Glass
 import dev.lazyz.conformance.cases.NothingThere
 import dev.lazyz.conformance.judgement.fail
+import dev.lazyz.conformance.judgement.numbersIn
 
 /**
  * Passes the primitives of a frame to [streaming] one by one. At the same time, a second image receives them in reverse
@@ -41,7 +42,7 @@ internal class OneByOne(private val streaming: StreamingRenderer) : Renderer {
         if (thrown !is IllegalArgumentException) {
             fail(this, "it does not blend, and answers a translucent primitive with ${thrown ?: "no exception"}")
         }
-        if (!Regex("\\b${drawing.accepted}\\b").containsMatchIn(thrown.message.orEmpty())) {
+        if (drawing.accepted !in numbersIn(thrown.message.orEmpty())) {
             fail(this, "it refuses primitive ${drawing.accepted}, but the message does not name it: ${thrown.message}")
         }
     }

@@ -103,12 +103,14 @@ internal class ProcessEnd(
 
     companion object {
         const val MARK: String = "! "
-        private val line = Regex("""(\w+) (\.*)(,*) ! ([A-Z_]+) (.*)""")
 
         /** Parses a line of a journal; returns null if its rule has an outcome. */
         fun of(text: String): ProcessEnd? {
-            val (rule, tries, steps, outcome, words) = line.matchEntire(text)?.destructured ?: return null
-            return ProcessEnd(rule, tries.length, steps.length, RuleOutcome.valueOf(outcome), words)
+            val (rule, progress) = text.substringBefore(" $MARK", "").split(' ').takeIf { it.size == 2 } ?: return null
+            val end = text.substringAfter(MARK).split(' ', limit = 2)
+            val (outcome, words) = end.takeIf { it.size == 2 } ?: return null
+            val tries = progress.count { it == Journal.TRY[0] }
+            return ProcessEnd(rule, tries, progress.length - tries, RuleOutcome.valueOf(outcome), words)
         }
     }
 }

@@ -34,18 +34,20 @@ internal class JournalFollower(private val path: Path, private val listener: Rul
     private fun lineEnds() {
         val text = line.toString()
         line.clear()
-        val (name, outcome, milliseconds) = LINE.matchEntire(text)?.destructured ?: return
+
+        // Without tries and steps. A rule that ended with its process has no recorded duration
+        val words = text.replace(ProcessEnd.MARK, "").split(' ').filter { it.isNotEmpty() }
+        val outcome = RuleOutcome.entries.firstOrNull { it.name == words.getOrNull(1) } ?: return
+        val name = words[0]
         val now = System.nanoTime()
         val elapsed = (now - since) / NANOSECONDS
         since = now
         if (!reported.add(name)) return
         val rule = SuiteRule.find(name) ?: return
-        listener.ended(rule, RuleOutcome.valueOf(outcome), milliseconds.toLongOrNull() ?: elapsed)
+        listener.ended(rule, outcome, words.getOrNull(2)?.takeIf { words.size == 3 }?.toLongOrNull() ?: elapsed)
     }
 
     private companion object {
-        /** A line without tries and steps. A rule that ended with its process has no recorded duration. */
-        val LINE = Regex("""(\w+) +(?:! )?([A-Z_]+)(?: (\d+)| .*)?""")
         const val NANOSECONDS = 1_000_000L
     }
 }

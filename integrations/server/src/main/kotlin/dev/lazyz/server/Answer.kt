@@ -59,8 +59,9 @@ internal class Answer private constructor(
 
     companion object {
         private const val CHUNK = 1 shl 16
-        private const val MOST_WARNINGS = 5
-        private const val LONGEST_WARNING = 300
+
+        /** Characters of a problem, at most: five warnings, and what it is. */
+        private const val LONGEST_PROBLEM = 2000
 
         /** A page. */
         fun text(text: String, type: String = "text/plain; charset=utf-8"): Answer =
@@ -74,28 +75,28 @@ internal class Answer private constructor(
             val tag = "\"${picture.tag}\""
             val isKnown = known != null && known.split(',').any { it.trim().removePrefix("W/") in listOf(tag, "*") }
             val status = if (isKnown) HttpResponseStatus.NOT_MODIFIED else HttpResponseStatus.OK
-            val warnings = picture.warnings.size
+            val warnings = picture.warningCount
             val detail = if (warnings == 0) "" else "$warnings warnings"
             return Answer(status, "", picture.takeUnless { isKnown }, detail).apply {
                 headers.set(HttpHeaderNames.ETAG, tag)
                 if (!isKnown) headers.set(HttpHeaderNames.CONTENT_TYPE, "image/png")
-                for (warning in picture.warnings.take(MOST_WARNINGS)) {
-                    headers.add("lazyz-warning", ascii(warning).take(LONGEST_WARNING))
-                }
+                for (warning in picture.warnings) headers.add("lazyz-warning", ascii(warning))
             }
         }
 
         /** A problem as JSON (RFC 9457). */
         fun problem(problem: Problem): Answer {
             val status = HttpResponseStatus.valueOf(problem.status)
+            val detail = problem.message.take(LONGEST_PROBLEM)
             val json = buildJsonObject {
                 put("title", status.reasonPhrase())
                 put("status", problem.status)
-                put("detail", problem.message)
+                put("detail", detail)
             }
-            return Answer(status, "$json\n", null, problem.message).apply {
+            return Answer(status, "$json\n", null, detail).apply {
                 headers.set(HttpHeaderNames.CONTENT_TYPE, "application/problem+json")
                 problem.retrySeconds?.let { headers.set(HttpHeaderNames.RETRY_AFTER, it) }
+                problem.allowed?.let { headers.set(HttpHeaderNames.ALLOW, it) }
             }
         }
 

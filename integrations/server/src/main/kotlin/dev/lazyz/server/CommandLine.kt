@@ -26,6 +26,12 @@ internal object CommandLine {
     val options: List<Option> = listOf(
         Option("--host", "HOST", "address to listen at; 0.0.0.0 for all; default: 127.0.0.1") { c, v -> c.withHost(v) },
         Option("--port", "N", "port to listen at, 0 for a free one; default: 8080") { c, v -> c.withPort(int(v)) },
+        Option("--admin-host", "HOST", "address for health and metrics; default: 127.0.0.1") { c, v ->
+            c.withAdminHost(v)
+        },
+        Option("--admin-port", "N", "port for health and metrics, 0 for a free one; default: 8081") { c, v ->
+            c.withAdminPort(int(v))
+        },
         Option("--renders", "N", "pictures that are rendered at the same time; default: processors") { c, v ->
             c.withRenders(int(v))
         },
@@ -70,7 +76,7 @@ internal object CommandLine {
             c.withUploadRate(bytes(v))
         },
         Option("--queue-time", "SECONDS", "time in the queue; default: 30") { c, v -> c.withQueueTime(seconds(v)) },
-        Option("--render-time", "SECONDS", "time for reading and rendering a model; default: 30") { c, v ->
+        Option("--render-time", "SECONDS", "time (on the wall) for reading and rendering; default: 30") { c, v ->
             c.withRenderTime(seconds(v))
         },
         Option("--download-time", "SECONDS", "time for a client to receive a picture; default: 60") { c, v ->
@@ -81,7 +87,7 @@ internal object CommandLine {
         },
     )
 
-    private val SIZE = Regex("""(\d{1,12})([kmg]?)""", RegexOption.IGNORE_CASE)
+    private const val ADMIN_PORT = 8081
 
     /**
      * Returns the settings that [args] describe; values follow their names after a space or `=`.
@@ -89,7 +95,7 @@ internal object CommandLine {
      * @throws Mistake if an option or a value is wrong
      */
     fun config(args: List<String>): ServerConfig {
-        var config = ServerConfig(log = { println(it) })
+        var config = ServerConfig(adminPort = ADMIN_PORT, log = { println(it) })
         val words = ArrayDeque(args)
         while (words.isNotEmpty()) {
             val word = words.removeFirst()
@@ -128,10 +134,12 @@ internal object CommandLine {
     private fun long(text: String): Long = text.toLongOrNull() ?: throw IllegalArgumentException("not a whole number")
 
     private fun bytes(text: String): Long {
-        val (digits, unit) = SIZE.matchEntire(text)?.destructured
-            ?: throw IllegalArgumentException("not an amount, such as 65536, 64k or 16m")
-        val shift = if (unit.isEmpty()) 0 else 10 * ("kmg".indexOf(unit.lowercase()) + 1)
-        return digits.toLong() shl shift
+        val digits = text.takeWhile { it in '0'..'9' }
+        val power = listOf("", "k", "m", "g").indexOf(text.drop(digits.length).lowercase())
+        if (digits.length !in 1..12 || power < 0) {
+            throw IllegalArgumentException("not an amount, such as 65536, 64k or 16m")
+        }
+        return digits.toLong() shl 10 * power
     }
 
     private fun seconds(text: String): Duration {

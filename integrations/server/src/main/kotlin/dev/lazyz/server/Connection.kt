@@ -8,7 +8,6 @@ import io.netty.channel.socket.SocketChannel
 import io.netty.handler.codec.DecoderException
 import io.netty.handler.codec.http.DefaultFullHttpResponse
 import io.netty.handler.codec.http.HttpContent
-import io.netty.handler.codec.http.HttpHeaderNames
 import io.netty.handler.codec.http.HttpMethod
 import io.netty.handler.codec.http.HttpObject
 import io.netty.handler.codec.http.HttpRequest
@@ -33,7 +32,6 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
     private enum class State { IDLE, UPLOAD, WORK, ANSWER, LINGER, CLOSED }
 
     private val config = service.config
-    private val pages = Pages(service)
     private lateinit var context: ChannelHandlerContext
     private lateinit var clock: Clock
     private var state = State.IDLE
@@ -105,7 +103,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         hasBody = RequestHead.hasBody(request)
         try {
             val target = QueryStringDecoder(RequestHead.originForm(request.uri()))
-            if (target.path() != "/render") return page(request, target.path())
+            if (target.path() != "/render") return send(Pages.help(request.method(), target.path()))
             val render = RenderRequest(service, request, target.parameters())
             this.render = render
             state = State.UPLOAD
@@ -118,17 +116,9 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
             }
         } catch (problem: Problem) {
             fail(problem)
-        } catch (e: IllegalArgumentException) {
-            fail(Problem(Problem.BAD_REQUEST, "the address cannot be read: ${e.message}"))
+        } catch (_: IllegalArgumentException) {
+            fail(Problem(Problem.BAD_REQUEST, "the address cannot be read: after a % stand two digits"))
         }
-    }
-
-    private fun page(request: HttpRequest, path: String) {
-        val answer = pages.answer(path) ?: throw Problem(Problem.NOT_FOUND, "there is nothing at $path; see /")
-        if (request.method() != HttpMethod.GET && request.method() != HttpMethod.HEAD) {
-            throw Problem(Problem.METHOD_NOT_ALLOWED, "$path is read with GET")
-        }
-        send(answer)
     }
 
     private fun body(content: HttpContent) {
@@ -136,12 +126,11 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         try {
             if (content.decoderResult().isFailure) {
                 isLastRequest = true
-                val cause = content.decoderResult().cause()
-                throw Problem(Problem.BAD_REQUEST, "the body is not valid HTTP: ${cause.message}")
+                throw Problem(Problem.BAD_REQUEST, "the body is not valid HTTP: its chunks cannot be read")
             }
             val bytes = content.content()
             val count = bytes.readableBytes()
-            if (count > 0) render.upload.add(count) { array, at -> bytes.readBytes(array, at, count) }
+            render.upload.add(count) { array, at, length -> bytes.readBytes(array, at, length) }
             if (content is LastHttpContent) enqueue(render)
         } catch (problem: Problem) {
             fail(problem)
@@ -194,13 +183,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         outcome.picture?.let { service.queue.giveBack(it.memory) }
     }
 
-    private fun fail(problem: Problem) {
-        val answer = Answer.problem(problem)
-        if (problem.status == Problem.METHOD_NOT_ALLOWED) {
-            answer.headers.set(HttpHeaderNames.ALLOW, if (line?.isRender == true) "POST" else "GET, HEAD")
-        }
-        send(answer)
-    }
+    private fun fail(problem: Problem) = send(Answer.problem(problem))
 
     private fun send(answer: Answer, sent: () -> Unit = {}) {
         state = State.ANSWER
@@ -253,7 +236,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         service.count(status)
         service.requests.decrementAndGet()
         val client = (context.channel().remoteAddress() as? InetSocketAddress)?.address?.hostAddress
-        service.log(line.entry(client ?: "-", status, size, detail))
+        service.log.add(line.entry(client ?: "-", status, size, detail))
     }
 
     /** Releases an upload without a job; a job releases its own when it ends. */

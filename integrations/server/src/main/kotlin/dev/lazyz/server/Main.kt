@@ -29,6 +29,7 @@ private fun serve(args: List<String>) {
     }
     Runtime.getRuntime().addShutdownHook(Thread { server.close() })
     println("listening at http://${server.config.host}:${server.port}/")
+    println("health and metrics at http://${server.config.adminHost}:${server.adminPort}/")
     CountDownLatch(1).await()
 }
 

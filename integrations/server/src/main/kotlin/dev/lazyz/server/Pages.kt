@@ -2,33 +2,62 @@ package dev.lazyz.server
 
 import dev.lazyz.server.render.Parameter
 import dev.lazyz.server.render.Problem
+import io.netty.handler.codec.http.HttpMethod
 
-/** The paths of the server that need no model. */
-internal class Pages(private val service: Service) {
+/** The paths that need no model. Each page is read with GET or HEAD. */
+internal object Pages {
     /**
-     * Returns the answer to GET or HEAD, or null if there is no such page.
+     * Returns the page of the port for pictures.
      *
-     * @throws Problem if the page says that the server is ready, and it is not
+     * @throws Problem if there is none at [path], or [method] is another
      */
-    fun answer(path: String): Answer? = when (path) {
-        "/" -> Answer.text(help())
-        "/health/live" -> Answer.text("alive\n")
-        "/health/ready" -> ready()
-        "/metrics" -> Answer.text(service.metrics.text(), "text/plain; version=0.0.4; charset=utf-8")
-        else -> null
+    fun help(method: HttpMethod, path: String): Answer {
+        if (path != "/") throw absent("there is nothing at $path; see /")
+        requireGet(method, path)
+        return Answer.text(help())
     }
 
-    private fun ready(): Answer {
+    /**
+     * Returns a page of the port for health and metrics.
+     *
+     * @throws Problem if there is none at [path], [method] is another, or the page says that [service] is not well
+     */
+    fun admin(service: Service, method: HttpMethod, path: String): Answer {
+        val page: (Service) -> Answer = when (path) {
+            "/health/live" -> ::live
+            "/health/ready" -> ::ready
+            "/metrics" -> ::metrics
+            else -> throw absent("there is nothing at $path; see /health/live, /health/ready and /metrics")
+        }
+        requireGet(method, path)
+        return page(service)
+    }
+
+    private fun absent(message: String) = Problem(Problem.NOT_FOUND, message)
+
+    private fun requireGet(method: HttpMethod, path: String) {
+        if (method == HttpMethod.GET || method == HttpMethod.HEAD) return
+        throw Problem(Problem.METHOD_NOT_ALLOWED, "$path is read with GET", allowed = "GET, HEAD")
+    }
+
+    private fun live(service: Service): Answer {
+        if (service.queue.isStuck) throw Problem(Problem.UNAVAILABLE, "all threads hang; restart the process")
+        return Answer.text("alive\n")
+    }
+
+    private fun ready(service: Service): Answer {
         if (service.isDraining) throw service.draining()
         if (service.queue.isFull) throw Problem(Problem.UNAVAILABLE, "the queue is full", Problem.SOON)
         return Answer.text("ready\n")
     }
 
+    private fun metrics(service: Service): Answer =
+        Answer.text(service.metrics.text(), "text/plain; version=0.0.4; charset=utf-8")
+
     private fun help(): String = buildString {
         appendLine("Lazy Z renders 3D models to pictures.")
         appendLine()
         appendLine("  POST /render      a model in the body; the answer is a PNG file")
-        appendLine("  GET /health/live  GET /health/ready  GET /metrics")
         appendLine()
         appendLine("Parameters, as in /render?size=512&view=iso:")
         appendLine()

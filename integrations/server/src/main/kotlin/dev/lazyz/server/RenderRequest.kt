@@ -30,7 +30,7 @@ internal class RenderRequest(private val service: Service, request: HttpRequest,
 
     init {
         if (request.method() != HttpMethod.POST) {
-            throw Problem(Problem.METHOD_NOT_ALLOWED, "send the model to /render with POST")
+            throw Problem(Problem.METHOD_NOT_ALLOWED, "send the model to /render with POST", allowed = "POST")
         }
         wish = PictureRequest.of(query, service.config.pixels)
         val coding = request.headers().get(HttpHeaderNames.CONTENT_ENCODING, "identity")
@@ -46,25 +46,22 @@ internal class RenderRequest(private val service: Service, request: HttpRequest,
     }
 
     /**
-     * Adds a job for the complete upload to the queue. The job releases the memory of the upload when it ends.
+     * Adds a job for the complete upload to the queue. The job releases the memory of the upload when no thread is at
+     * work on it any more.
      *
      * @param started is called on a thread of the queue
-     * @param ended is called on the same thread
+     * @param ended is called on some thread of the queue, or the calling one of a cancellation
      * @throws Problem if there is no place or no memory for it
      */
     fun enqueue(started: () -> Unit, ended: (RenderJob.Outcome) -> Unit): RenderJob {
-        val body = upload.complete()
-        service.received.add(body.size.toLong())
-        val actual = format ?: MediaTypes.sniffed(body)
-        val need = service.maker.pictureNeed(wish) + service.maker.modelNeed(actual, body.size)
+        service.received.add(upload.size.toLong())
+        val actual = format ?: MediaTypes.sniffed(upload.start(), upload.size)
+        val need = service.maker.pictureNeed(wish) + service.maker.modelNeed(actual, upload.size)
         requireMemory(need, "a smaller model or picture")
         val work = { job: RenderJob ->
-            timed { service.maker.picture(body, actual, wish, job.need) { service.queue.grow(job, it) } }
+            timed { service.maker.picture(upload.joined(), actual, wish, job.need) { service.queue.grow(job, it) } }
         }
-        val job = RenderJob(need, work, started) { outcome ->
-            upload.release()
-            ended(outcome)
-        }
+        val job = RenderJob(need, work, started, upload::release, ended)
         if (!service.queue.offer(job)) throw tooMany()
         return job
     }

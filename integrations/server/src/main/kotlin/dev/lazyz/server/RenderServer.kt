@@ -1,23 +1,7 @@
 package dev.lazyz.server
 
-import io.netty.bootstrap.ServerBootstrap
-import io.netty.buffer.UnpooledByteBufAllocator
-import io.netty.channel.ChannelInitializer
-import io.netty.channel.ChannelOption
-import io.netty.channel.MultiThreadIoEventLoopGroup
-import io.netty.channel.group.DefaultChannelGroup
-import io.netty.channel.nio.NioIoHandler
-import io.netty.channel.socket.SocketChannel
-import io.netty.channel.socket.nio.NioServerSocketChannel
-import io.netty.handler.codec.http.HttpServerCodec
-import io.netty.handler.stream.ChunkedWriteHandler
-import io.netty.util.concurrent.DefaultThreadFactory
-import io.netty.util.concurrent.GlobalEventExecutor
 import java.io.IOException
-import java.net.InetSocketAddress
-import java.nio.channels.UnresolvedAddressException
 import java.time.Duration
-import java.util.concurrent.TimeUnit
 
 /**
  * An HTTP server that renders models: `POST /render` with a model as the body is answered with a PNG file.
@@ -34,14 +18,7 @@ import java.util.concurrent.TimeUnit
  * @property config the settings
  */
 public class RenderServer @JvmOverloads constructor(public val config: ServerConfig = ServerConfig()) : AutoCloseable {
-    private class Running(
-        val service: Service,
-        val threads: MultiThreadIoEventLoopGroup,
-        val channels: DefaultChannelGroup,
-        val listening: NioServerSocketChannel,
-    ) {
-        val port = listening.localAddress().port
-    }
+    private class Running(val service: Service, val pictures: Listener, val admin: Listener?)
 
     // Read without the lock, which close() holds until the last answer is sent
     @Volatile
@@ -53,7 +30,14 @@ public class RenderServer @JvmOverloads constructor(public val config: ServerCon
      *
      * @throws IllegalStateException if it is not running
      */
-    public val port: Int get() = running().port
+    public val port: Int get() = running().pictures.port
+
+    /**
+     * The port at which the server answers about its health and its metrics.
+     *
+     * @throws IllegalStateException if it is not running, or has no such port
+     */
+    public val adminPort: Int get() = checkNotNull(running().admin) { "the configuration has no adminPort" }.port
 
     /**
      * Starts listening. Returns this server when it can be reached.
@@ -66,29 +50,16 @@ public class RenderServer @JvmOverloads constructor(public val config: ServerCon
     public fun start(): RenderServer {
         check(running == null && !isClosed) { "a server can be started once" }
         val service = Service(config)
-        val factory = NioIoHandler.newFactory()
-        val threads = MultiThreadIoEventLoopGroup(IO_THREADS, DefaultThreadFactory("lazyz-io", true), factory)
-        val channels = DefaultChannelGroup(GlobalEventExecutor.INSTANCE, true)
-        val bound = ServerBootstrap().group(threads)
-            .channel(NioServerSocketChannel::class.java)
-            .option(ChannelOption.SO_BACKLOG, BACKLOG)
-            .childOption(ChannelOption.ALLOCATOR, UnpooledByteBufAllocator(false))
-            .childHandler(
-                object : ChannelInitializer<SocketChannel>() {
-                    override fun initChannel(channel: SocketChannel) {
-                        channels.add(channel)
-                        channel.pipeline().addLast(HttpServerCodec(), ChunkedWriteHandler(), Connection(service))
-                    }
-                },
-            )
-            .bind(InetSocketAddress(config.host, config.port))
-            .awaitUninterruptibly()
-        if (!bound.isSuccess) {
+        var pictures: Listener? = null
+        try {
+            pictures = Listener(config.host, config.port, IO_THREADS) { Connection(service) }
+            val admin = config.adminPort?.let { Listener(config.adminHost, it, 1) { AdminConnection(service) } }
+            running = Running(service, pictures, admin)
+        } catch (e: IOException) {
+            pictures?.close()
             service.close()
-            threads.shutdownGracefully(0, 0, TimeUnit.SECONDS)
-            throw IOException("cannot listen at ${config.host}:${config.port}: ${reason(bound.cause())}", bound.cause())
+            throw e
         }
-        running = Running(service, threads, channels, bound.channel() as NioServerSocketChannel)
         return this
     }
 
@@ -101,7 +72,8 @@ public class RenderServer @JvmOverloads constructor(public val config: ServerCon
 
     /**
      * Stops listening, waits until the requests in work are answered, at most for [ServerConfig.drainTime], stops those
-     * that are left, and ends all threads. Calling it again does nothing.
+     * that are left, and ends all threads: at most 5 seconds later, also if a rendering does not react. Health and
+     * metrics can be read until the end. Calling it again does nothing.
      */
     @Synchronized
     override fun close() {
@@ -109,26 +81,21 @@ public class RenderServer @JvmOverloads constructor(public val config: ServerCon
         val closing = running ?: return
         val service = closing.service
         service.isDraining = true
-        closing.listening.close().awaitUninterruptibly()
-        for (channel in closing.channels) {
+        closing.pictures.stop()
+        for (channel in closing.pictures.channels) {
             val connection = channel.pipeline().get(Connection::class.java) ?: continue
             channel.eventLoop().execute { connection.drain() }
         }
         val isInterrupted = !awaitAnswers(service, config.drainTime)
 
         // Those that are left get an answer, too
-        service.close()
+        service.queue.close()
         awaitAnswers(service, LAST_ANSWERS)
-        closing.channels.close().awaitUninterruptibly()
-        closing.threads.shutdownGracefully(0, 1, TimeUnit.SECONDS).awaitUninterruptibly()
+        closing.pictures.close()
+        closing.admin?.close()
+        service.close()
         running = null
         if (isInterrupted) Thread.currentThread().interrupt()
-    }
-
-    private fun reason(failure: Throwable): String = when (failure) {
-        is UnresolvedAddressException ->
-            "the host is unknown; use the name or number of an address of this machine"
-        else -> failure.message ?: failure.toString()
     }
 
     /** Waits until all requests are answered, or [time] is over. Returns false if the thread is interrupted. */
@@ -147,10 +114,9 @@ public class RenderServer @JvmOverloads constructor(public val config: ServerCon
     private companion object {
         /** They only move bytes. */
         const val IO_THREADS = 2
-        const val BACKLOG = 1024
 
         /** Milliseconds. */
         const val POLL = 10L
-        val LAST_ANSWERS: Duration = Duration.ofSeconds(2)
+        val LAST_ANSWERS: Duration = Duration.ofMillis(500)
     }
 }

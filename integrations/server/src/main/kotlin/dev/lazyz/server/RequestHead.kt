@@ -13,20 +13,36 @@ import io.netty.handler.codec.http.TooLongHttpLineException
 
 /** The first line and the headers of a request, as RFC 9110 and RFC 9112 define them. */
 internal object RequestHead {
-    /** The scheme and the host of a target in absolute form. */
-    private val AUTHORITY = Regex("""https?://[^/?#]+""", RegexOption.IGNORE_CASE)
+    private val schemes = listOf("http://", "https://")
 
-    /** A name, or a number in brackets, and a port; the name can be empty. */
-    private val HOST = Regex("""([\w.~!$&'()*+,;=%-]*|\[[\w.:]+])(:\d*)?""")
+    /** The characters of names and numbers of hosts besides letters and digits. */
+    private const val HOST_SIGNS = "_.~!$&'()*+,;=%-"
 
     /** The colon and the space after the name of a header, and the end of its line. */
     private const val HEADER_EXTRA = 4
 
     /** Returns [target] without scheme and host, which clients put in front of it if they think of a proxy. */
     fun originForm(target: String): String {
-        val authority = AUTHORITY.matchAt(target, 0) ?: return target
-        return target.substring(authority.value.length).let { if (it.startsWith("/")) it else "/$it" }
+        val scheme = schemes.firstOrNull { target.startsWith(it, ignoreCase = true) } ?: return target
+        val behind = target.substring(scheme.length).dropWhile { it !in "/?#" }
+        if (behind.length == target.length - scheme.length) return target
+        return if (behind.startsWith("/")) behind else "/$behind"
     }
+
+    /** Whether [text] is a name, which can be empty, or a number in brackets, and perhaps a port. */
+    private fun isHost(text: String): Boolean {
+        val number = text.substringBefore(']', "")
+        val host = if (number.isEmpty()) text.substringBefore(':') else "$number]"
+        val isValid = if (number.isEmpty()) {
+            host.all { isLetterOrDigit(it) || it in HOST_SIGNS }
+        } else {
+            number.length > 1 && number[0] == '[' && number.drop(1).all { isLetterOrDigit(it) || it in "_.:" }
+        }
+        val port = text.substring(host.length)
+        return isValid && (port.isEmpty() || port[0] == ':' && port.drop(1).all { it in '0'..'9' })
+    }
+
+    private fun isLetterOrDigit(character: Char): Boolean = character < '\u0080' && character.isLetterOrDigit()
 
     /** Returns whether a body follows the head. */
     fun hasBody(request: HttpRequest): Boolean =
@@ -44,7 +60,7 @@ internal object RequestHead {
     private fun invalid(cause: Throwable): Problem = when (cause) {
         is TooLongHttpLineException -> Problem(Problem.TARGET_TOO_LONG, "the address is too long")
         is TooLongHttpHeaderException, is TooLongFrameException -> tooLong()
-        else -> Problem(Problem.BAD_REQUEST, "this is not HTTP: ${cause.message}")
+        else -> Problem(Problem.BAD_REQUEST, "the first line or a header is not valid HTTP")
     }
 
     private fun tooLong() = Problem(Problem.HEADERS_TOO_LONG, "the headers are too long")
@@ -64,7 +80,7 @@ internal object RequestHead {
 
         val hosts = headers.getAll(HttpHeaderNames.HOST)
         val least = if (request.protocolVersion() == HttpVersion.HTTP_1_0) 0 else 1
-        if (hosts.size !in least..1 || !hosts.all(HOST::matches)) {
+        if (hosts.size !in least..1 || !hosts.all(::isHost)) {
             return Problem(Problem.BAD_REQUEST, "a request has one header Host, with a name or a number")
         }
 

@@ -11,9 +11,6 @@ internal class RequestLine(private val method: String, private val target: Strin
     /** The time since the request began. */
     val seconds: Double get() = (System.nanoTime() - start) / 1e9
 
-    /** Whether the request is for a picture. */
-    val isRender: Boolean get() = RequestHead.originForm(target).substringBefore('?') == "/render"
-
     /** Returns the line of the log. */
     fun entry(client: String, status: Int, size: Int, detail: String): String {
         val words = listOf(

@@ -12,6 +12,9 @@ import java.util.function.Consumer
  *
  * @property host the address to listen at: a name or a number. The default can be reached from this machine only
  * @property port the port to listen at, 0..65535; 0 takes a free one, see [RenderServer.port]
+ * @property adminHost the address for health and metrics. The default can be reached from this machine only
+ * @property adminPort the port for health and metrics, 0..65535; 0 takes a free one, see [RenderServer.adminPort].
+ *   Null, the default, means that there is none; the program `lazyz-server` has 8081
  * @property renders pictures that are rendered at the same time, 1..1024, each by one thread. The default is the number
  *   of processors
  * @property queue requests that wait for their rendering, 0..100000. Further ones are answered with status 429
@@ -27,16 +30,20 @@ import java.util.function.Consumer
  * @property uploadTime time for a client to send a model
  * @property uploadRate bytes a second that a client must send on average, after the first 5 seconds; 0 or more
  * @property queueTime time that a request may wait for its rendering; after that it is answered with status 503
- * @property renderTime time for reading and rendering a model; after that the work is stopped, status 503
+ * @property renderTime time for reading and rendering a model, on the wall, so that clients know how long they wait;
+ *   after that the work is stopped, status 503
  * @property downloadTime time for a client to receive an answer
- * @property drainTime time for requests that are in work when the server is closed
- * @property log receives one line for each request, without control characters; called from several threads. Null
- *   means the system logger `dev.lazyz.server`, level INFO
+ * @property drainTime time for requests that are in work when the server is closed. The end takes at most 5 seconds
+ *   more
+ * @property log receives one line for each request, without control characters, on a thread of its own. If it is slow,
+ *   lines are dropped. Null means the system logger `dev.lazyz.server`, level INFO
  * @throws IllegalArgumentException if a number is out of range, or a time is not positive
  */
 public class ServerConfig @JvmOverloads constructor(
     public val host: String = "127.0.0.1",
     public val port: Int = 8080,
+    public val adminHost: String = "127.0.0.1",
+    public val adminPort: Int? = null,
     public val renders: Int = Runtime.getRuntime().availableProcessors(),
     public val queue: Int = 64,
     public val connections: Int = 1024,
@@ -55,6 +62,7 @@ public class ServerConfig @JvmOverloads constructor(
 ) {
     init {
         require(port in 0..MOST_PORT) { "port must be in 0..$MOST_PORT: $port" }
+        require(adminPort == null || adminPort in 0..MOST_PORT) { "adminPort must be in 0..$MOST_PORT: $adminPort" }
         require(renders in 1..MOST_RENDERS) { "renders must be in 1..$MOST_RENDERS: $renders" }
         require(queue in 0..MOST_QUEUE) { "queue must be in 0..$MOST_QUEUE: $queue" }
         require(connections in 1..MOST_CONNECTIONS) { "connections must be in 1..$MOST_CONNECTIONS: $connections" }
@@ -82,6 +90,12 @@ public class ServerConfig @JvmOverloads constructor(
 
     /** Returns these settings with another [port]. */
     public fun withPort(port: Int): ServerConfig = copy(port = port)
+
+    /** Returns these settings with another [adminHost]. */
+    public fun withAdminHost(adminHost: String): ServerConfig = copy(adminHost = adminHost)
+
+    /** Returns these settings with another [adminPort], or without one if null. */
+    public fun withAdminPort(adminPort: Int?): ServerConfig = copy(adminPort = adminPort)
 
     /** Returns these settings with another number of [renders] at the same time. */
     public fun withRenders(renders: Int): ServerConfig = copy(renders = renders)
@@ -131,6 +145,8 @@ public class ServerConfig @JvmOverloads constructor(
     private fun copy(
         host: String = this.host,
         port: Int = this.port,
+        adminHost: String = this.adminHost,
+        adminPort: Int? = this.adminPort,
         renders: Int = this.renders,
         queue: Int = this.queue,
         connections: Int = this.connections,
@@ -147,13 +163,13 @@ public class ServerConfig @JvmOverloads constructor(
         drainTime: Duration = this.drainTime,
         log: Consumer<String>? = this.log,
     ): ServerConfig = ServerConfig(
-        host, port, renders, queue, connections, memory, body, pixels, limits, idleTime, uploadTime, uploadRate,
-        queueTime, renderTime, downloadTime, drainTime, log,
+        host, port, adminHost, adminPort, renders, queue, connections, memory, body, pixels, limits, idleTime,
+        uploadTime, uploadRate, queueTime, renderTime, downloadTime, drainTime, log,
     )
 
     override fun toString(): String =
-        "ServerConfig($host:$port, renders=$renders, queue=$queue, connections=$connections, memory=$memory, " +
-            "body=$body, pixels=$pixels, $limits)"
+        "ServerConfig($host:$port, admin=$adminHost:$adminPort, renders=$renders, queue=$queue, " +
+            "connections=$connections, memory=$memory, body=$body, pixels=$pixels, $limits)"
 
     private companion object {
         const val MOST_PORT = 65_535

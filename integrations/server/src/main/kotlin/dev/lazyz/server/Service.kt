@@ -29,16 +29,19 @@ internal class Service(val config: ServerConfig) : AutoCloseable {
     @Volatile
     var isDraining = false
 
+    /** One line for each request. */
+    val log = LineLog(config.log ?: Consumer { LOGGER.log(System.Logger.Level.INFO, it) })
+
     val renderTime = metrics.Histogram("lazyz_render_seconds", "Time of reading and rendering a model.")
     val received = metrics.counter("lazyz_received_bytes_total", "Bytes of models received.")
     val sent = metrics.counter("lazyz_sent_bytes_total", "Bytes of pictures sent.")
-    private val log: Consumer<String> = config.log ?: Consumer { LOGGER.log(System.Logger.Level.INFO, it) }
 
     init {
         metrics.gauge("lazyz_connections", "Open connections.") { connections.get() }
         metrics.gauge("lazyz_requests_open", "Requests whose answer is not yet sent.") { requests.get() }
         metrics.gauge("lazyz_renders_waiting", "Requests that wait for their rendering.") { queue.waiting }
         metrics.gauge("lazyz_renders_running", "Pictures that are being rendered.") { queue.running }
+        metrics.gauge("lazyz_renders_hanging", "Threads that do not react to their end.") { queue.hanging }
         metrics.gauge("lazyz_upload_memory_bytes", "Memory that uploads take.") { uploads.used }
         metrics.gauge("lazyz_upload_memory_max_bytes", "Memory for uploads.") { uploads.total }
         metrics.gauge("lazyz_render_memory_bytes", "Memory that renderings and finished pictures take.") { queue.taken }
@@ -55,24 +58,22 @@ internal class Service(val config: ServerConfig) : AutoCloseable {
             .add()
     }
 
-    /** Writes a line to the log, without control characters. A log that fails does not stop the work. */
-    fun log(line: String) = try {
-        log.accept(line.map { if (it in ' '..'~') it else '?' }.joinToString(""))
-    } catch (failure: RuntimeException) {
-        LOGGER.log(System.Logger.Level.ERROR, "a line of the log could not be written: $line", failure)
-    }
-
     /** The answer to clients after [isDraining] is set. */
     fun draining() = Problem(Problem.UNAVAILABLE, "the server is being closed", Problem.SOON)
 
     /** Reports a bug to the system logger, with its stack trace. */
     fun report(bug: Throwable) = LOGGER.log(System.Logger.Level.ERROR, "this is a bug in lazyz-server", bug)
 
-    override fun close() = queue.close()
+    override fun close() {
+        queue.close()
+        log.close()
+    }
 
     private fun limits(): LoadLimits {
         val time = config.limits.time
-        return config.limits.withTime(if (time == null || time > config.renderTime) config.renderTime else time)
+
+        // The end of the time for reading and rendering interrupts the loader, too
+        return config.limits.withTime(time?.takeIf { it < config.renderTime })
     }
 
     private companion object {

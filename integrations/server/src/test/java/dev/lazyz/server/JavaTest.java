@@ -20,7 +20,7 @@ class JavaTest {
                 .withPort(0)
                 .withQueue(8)
                 .withLimits(new LoadLimits().withTriangles(1_000_000))
-                .withRenderTime(Duration.ofSeconds(10))
+                .withRenderTime(Duration.ofMinutes(10))
                 .withLog(line -> {});
         try (RenderServer server = new RenderServer(config).start()) {
             String model = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";

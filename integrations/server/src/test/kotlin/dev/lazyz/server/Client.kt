@@ -25,11 +25,14 @@ internal class Client(private val server: RenderServer) {
     }
 
     private fun request(path: String) =
-        HttpRequest.newBuilder(URI("http://127.0.0.1:${server.port}$path")).timeout(Duration.ofSeconds(60))
+        HttpRequest.newBuilder(URI("http://127.0.0.1:${port(path)}$path")).timeout(Duration.ofMinutes(10))
 
-    /** Opens a connection, and sends [text]. Reading fails after a minute. */
+    private fun port(path: String) =
+        if (path.startsWith("/health/") || path == "/metrics") server.adminPort else server.port
+
+    /** Opens a connection, and sends [text]. Reading fails after ten minutes. */
     fun open(text: String): Socket = Socket("127.0.0.1", server.port).apply {
-        soTimeout = 60_000
+        soTimeout = 600_000
         send(text)
     }
 
@@ -55,7 +58,7 @@ internal class Client(private val server: RenderServer) {
 
         /** Waits until [condition] holds. */
         fun await(message: () -> String, condition: () -> Boolean) {
-            val end = System.nanoTime() + 30_000_000_000
+            val end = System.nanoTime() + 300_000_000_000
             while (!condition()) {
                 check(System.nanoTime() < end, message)
                 Thread.sleep(2)

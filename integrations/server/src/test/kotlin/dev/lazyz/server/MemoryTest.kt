@@ -1,5 +1,6 @@
 package dev.lazyz.server
 
+import java.net.Socket
 import java.net.URI
 import java.net.http.HttpClient
 import java.net.http.HttpRequest
@@ -21,21 +22,22 @@ class MemoryTest {
     private val process = ProcessBuilder(
         "${Path.of(System.getProperty("java.home"), "bin", "java")}", "-Xmx160m", "-XX:+ExitOnOutOfMemoryError",
         "-cp", System.getProperty("java.class.path"), "dev.lazyz.server.MainKt",
-        "--port", "0", "--renders", "2", "--memory", "112m", "--render-time", "2",
+        "--port", "0", "--admin-port", "0", "--renders", "2", "--memory", "112m", "--render-time", "6000",
     ).redirectError(ProcessBuilder.Redirect.DISCARD).start()
     private val output = process.inputStream.bufferedReader()
     private val address = output.readLine().substringAfter("listening at ")
+    private val admin = output.readLine().substringAfter("health and metrics at ")
     private val reader = Thread { output.forEachLine { } }.apply { isDaemon = true }.also { it.start() }
     private val http = HttpClient.newHttpClient()
 
     @AfterEach
     fun end() {
-        process.destroyForcibly().waitFor(30, TimeUnit.SECONDS)
+        process.destroyForcibly().waitFor(300, TimeUnit.SECONDS)
         reader.join()
     }
 
     private fun request(body: ByteArray, size: Int = 512) = HttpRequest.newBuilder(URI("${address}render?size=$size"))
-        .timeout(Duration.ofSeconds(60)).POST(HttpRequest.BodyPublishers.ofByteArray(body)).build()
+        .timeout(Duration.ofMinutes(10)).POST(HttpRequest.BodyPublishers.ofByteArray(body)).build()
 
     private fun post(body: ByteArray, size: Int = 512): HttpResponse<String> =
         http.send(request(body, size), HttpResponse.BodyHandlers.ofString(Charsets.ISO_8859_1))
@@ -51,13 +53,25 @@ class MemoryTest {
 
     @Test
     fun manyRequestsOfManyLayersDoNotExhaustTheMemory() {
-        val answers = List(4) {
-            http.sendAsync(request(layers(10_000, "BLEND")), HttpResponse.BodyHandlers.discarding())
+        val model = layers(10_000, "BLEND")
+        val head = "POST /render?size=512 HTTP/1.1\r\nHost: x\r\nContent-Length: ${model.size}\r\n\r\n"
+        val clients = List(4) {
+            Socket("127.0.0.1", URI(address).port).apply { getOutputStream().write(head.toByteArray() + model) }
         }
+        Client.await({ "the renderings do not begin" }) { "lazyz_renders_running 2\n" in metrics() }
+
+        // Their layers take minutes, and soon all of the memory that they get
+        val start = processorTime()
+        Client.await({ "the renderings do not go on" }) { processorTime() > start.plusSeconds(3) }
+        clients.forEach(Socket::close)
         assertEquals(200, post(Client.MODEL).statusCode())
-        for (answer in answers) assertEquals(503, answer.get().statusCode())
-        assertEquals(200, post(Client.MODEL).statusCode())
+        Client.await({ metrics() }) { "lazyz_requests_total{status=\"499\"} 4\n" in metrics() }
     }
+
+    private fun processorTime(): Duration = process.toHandle().info().totalCpuDuration().get()
+
+    private fun metrics(): String =
+        http.send(HttpRequest.newBuilder(URI("${admin}metrics")).build(), HttpResponse.BodyHandlers.ofString()).body()
 
     /** Each reaches many tiles, and none hides another. */
     @Test

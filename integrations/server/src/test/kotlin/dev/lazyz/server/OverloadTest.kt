@@ -2,6 +2,7 @@ package dev.lazyz.server
 
 import java.net.SocketException
 import java.time.Duration
+import java.util.concurrent.CountDownLatch
 import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.Logger
@@ -12,7 +13,7 @@ import org.junit.jupiter.api.Test
 
 /** More requests than the server can answer at once. Each server here renders one picture at a time. */
 class OverloadTest {
-    private val config = ServerConfig(port = 0, renders = 1, queue = 1, log = {})
+    private val config = ServerConfig(port = 0, adminPort = 0, renders = 1, queue = 1, log = {})
 
     private fun Client.begin(path: String) =
         Client.MODEL.decodeToString().let {
@@ -115,9 +116,9 @@ class OverloadTest {
     fun aWidePictureTakesTheMemoryOfOneSampleAPixel() {
         RenderServer(config.withMemory(192L shl 20)).start().use { server ->
             val client = Client(server)
-            val usual = client.post("/render?size=100000x1", Client.MODEL)
+            val usual = client.post("/render?size=100000x9", Client.MODEL)
             assertEquals(200, usual.statusCode()) { usual.body().decodeToString() }
-            val single = client.post("/render?size=100000x1&aa=1", Client.MODEL)
+            val single = client.post("/render?size=100000x9&aa=1", Client.MODEL)
             assertEquals(single.headers().firstValue("etag"), usual.headers().firstValue("etag"))
             val chosen = client.post("/render?size=1x100000&aa=4", Client.MODEL)
             assertEquals(400, chosen.statusCode())
@@ -132,7 +133,7 @@ class OverloadTest {
             client.await("lazyz_connections", 1)
             val second = client.open("").use { it.getInputStream().text() }
             assertTrue(second.startsWith("HTTP/1.1 503 Service Unavailable\r\n")) { second }
-            first.send("GET /health/live HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n")
+            first.send("GET / HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n")
             assertTrue("200 OK" in first.getInputStream().text())
         }
     }
@@ -142,7 +143,7 @@ class OverloadTest {
         val server = RenderServer(config).start()
         val client = Client(server)
         val socket = client.begin("/render?size=2048&aa=1")
-        client.await("lazyz_renders_running", 1)
+        client.await("lazyz_received_bytes_total", Client.MODEL.size)
         server.close()
         assertTrue(socket.use { it.getInputStream().text() }.startsWith("HTTP/1.1 200 OK"))
         server.close()
@@ -154,7 +155,7 @@ class OverloadTest {
         val client = Client(server)
         client.begin(Client.LONG).use { socket ->
             client.await("lazyz_renders_running", 1)
-            repeat(100) { socket.send("GET /health/live HTTP/1.1\r\nHost: x\r\n\r\n") }
+            repeat(100) { socket.send("GET / HTTP/1.1\r\nHost: x\r\n\r\n") }
             assertEquals(1.0, client.metric("lazyz_requests_open"))
         }
         client.await("lazyz_renders_running", 0)
@@ -180,7 +181,7 @@ class OverloadTest {
             client.begin(Client.LONG).use { socket ->
                 client.await("lazyz_renders_running", 1)
                 assertThrows(SocketException::class.java) {
-                    repeat(100_000) { socket.send("GET /health/live HTTP/1.1\r\nHost: x\r\n\r\n") }
+                    repeat(100_000) { socket.send("GET / HTTP/1.1\r\nHost: x\r\n\r\n") }
                 }
             }
             client.await("lazyz_renders_running", 0)
@@ -209,9 +210,21 @@ class OverloadTest {
     fun aLogThatFailsDoesNotStopTheWork() {
         RenderServer(config.withLog { error("the disk is full") }).start().use { server ->
             val client = Client(server)
-            repeat(2) { assertEquals(200, client.get("/health/live").statusCode()) }
+            repeat(2) { assertEquals(200, client.get("/").statusCode()) }
             client.await("lazyz_requests_total{status=\"200\"}", 2)
         }
+    }
+
+    /** Nobody reads the output of the process. */
+    @Test
+    fun aLogThatBlocksDoesNotStopTheWork() {
+        val released = CountDownLatch(1)
+        RenderServer(config.withLog { released.await() }).start().use { server ->
+            val client = Client(server)
+            repeat(20) { assertEquals(200, client.get("/").statusCode()) }
+            assertEquals(200, client.post("/render?size=8", Client.MODEL).statusCode())
+        }
+        released.countDown()
     }
 
     @Test

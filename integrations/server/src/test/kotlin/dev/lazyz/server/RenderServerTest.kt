@@ -2,6 +2,7 @@ package dev.lazyz.server
 
 import dev.lazyz.Raster
 import dev.lazyz.filter.SuperSampling
+import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.zbuffer.ZBuffer
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.CsvSource
+import org.junit.jupiter.params.provider.ValueSource
 
 class RenderServerTest {
     @Test
@@ -70,7 +72,8 @@ class RenderServerTest {
         "400, /render?background=mud, is not a colour",
         "422, /render?format=stl, model",
         "404, /rendering, there is nothing at /rendering",
-        "405, /metrics, is read with GET",
+        "405, /, is read with GET",
+        "404, /metrics/, there is nothing at /metrics/",
     )
     fun mistakesAreAnsweredWithAProblem(status: Int, path: String, detail: String) {
         val answer = client.post(path, Client.MODEL)
@@ -104,11 +107,58 @@ class RenderServerTest {
         assertTrue("passwd" in answer.headers().firstValue("lazyz-warning").get())
     }
 
+    /** The loader leaves all of it out, or there is nothing that could cover a sample. */
+    @ParameterizedTest
+    @ValueSource(
+        strings = [
+            "v inf inf 0\nv 1 inf 0\nv 0 inf 1\nf 1 2 3\n", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n",
+            "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n", "v 0 0 0\nf 1 1 1\n",
+        ],
+    )
+    fun aModelOfWhichNothingRemainsIsRefused(model: String) {
+        val answer = client.post("/render?size=8", model.toByteArray())
+        val text = answer.body().decodeToString()
+        assertEquals(422, answer.statusCode(), text)
+        assertTrue("nothing of the model" in text && "no area" in text) { text }
+    }
+
+    @Test
+    fun theReasonsWhyNothingRemainsAreInTheMessage() {
+        val model = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n" +
+            "end_header\n"
+        val answer = client.post("/render?size=8", model.toByteArray())
+        val text = answer.body().decodeToString()
+        assertEquals(422, answer.statusCode(), text)
+        assertTrue("nothing of the model remains to show: model: the file is cut short" in text) { text }
+    }
+
+    @Test
+    fun messagesToClientsDoNotAdviseOperators() {
+        val limits = LoadLimits().withTriangles(1).withNesting(3)
+        RenderServer(ServerConfig(port = 0, limits = limits, log = {})).start().use { server ->
+            val client = Client(server)
+            val models = mapOf("obj" to "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n", "gltf" to "{\"a\":[[[[1]]]]}")
+            for ((format, model) in models) {
+                val answer = client.post("/render?format=$format", model.toByteArray())
+                val text = answer.body().decodeToString()
+                assertEquals(422, answer.statusCode(), text)
+                assertTrue("limit of this server" in text, text)
+                assertFalse(listOf("LoadLimits", "zcli", "-Xmx", "raise").any { it in text }, text)
+            }
+        }
+    }
+
+    @Test
+    fun aWarningHas300Characters() {
+        val model = "mtllib ${"a".repeat(390)} ${"b".repeat(390)}.mtl\n".toByteArray() + Client.MODEL
+        val warning = client.post("/render?size=8", model).headers().firstValue("lazyz-warning").get()
+        assertEquals(300, warning.length, warning)
+        assertTrue(warning.startsWith("model: material library aaa") && " ... " in warning, warning)
+    }
+
     @Test
     fun pagesAreReadWithGet() {
         assertTrue("light-intensity=FACTOR" in client.get("/").body())
-        assertEquals("alive\n", client.get("/health/live").body())
-        assertEquals("ready\n", client.get("/health/ready").body())
         assertEquals(404, client.get("/favicon.ico").statusCode())
         val get = client.get("/render")
         assertEquals("POST", get.headers().firstValue("allow").get())
@@ -124,11 +174,11 @@ class RenderServerTest {
         client.open("GET /a\u0007\u001b[31m HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n").use {
             it.getInputStream().text()
         }
-        client.get("/health/live?x=%0a%1b")
+        client.get("/?x=%0a%1b")
         Client.await({ "$log" }) { log.any { "x=%0a" in it } }
         val lines = log.toList()
         assertFalse(lines.any { line -> line.any { it.isISOControl() } }) { "$lines" }
-        assertTrue(lines.any { Regex("""\S+Z 127\.0\.0\.1 GET /health/live\?x=%0a%1b 200 6B \d+ms""").matches(it) })
+        assertTrue(lines.any { Regex("""\S+Z 127\.0\.0\.1 GET /\?x=%0a%1b 200 \d+B \d+ms""").matches(it) })
     }
 
     @Test
@@ -142,11 +192,11 @@ class RenderServerTest {
 
     @Test
     fun theNumbersAddUp() {
-        RenderServer(ServerConfig(port = 0, log = {})).start().use { server ->
+        RenderServer(ServerConfig(port = 0, adminPort = 0, log = {})).start().use { server ->
             val client = Client(server)
             repeat(3) { client.post("/render?size=8", Client.MODEL) }
             client.post("/render?size=8", "x".toByteArray())
-            client.get("/health/live")
+            client.get("/")
             client.await("lazyz_requests_open", 0)
             assertEquals(4.0, client.metric("lazyz_requests_total{status=\"200\"}"))
             assertEquals(1.0, client.metric("lazyz_requests_total{status=\"415\"}"))

@@ -30,7 +30,7 @@ class ServerPageTest {
 
     @Test
     fun metrics() = RenderServer(ServerConfig(port = 0, log = {})).start().use { server ->
-        Client(server).get("/health/live")
+        Client(server).get("/")
         Client(server).await("lazyz_requests_open", 0)
         val types = Regex("(?m)^# TYPE (\\S+)").findAll(server.metrics()).map { it.groupValues[1] }.toSet()
         val described = found("`((?:lazyz|jvm)_[a-z_]+)")

@@ -4,18 +4,16 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.off.OffHeader
 import dev.lazyz.scenes.stl.StlBinary
 import dev.lazyz.scenes.text.TextEncoding
+import dev.lazyz.scenes.text.TextLines
 
 /** Detects a file's format from its first bytes, for files whose name does not determine it. */
 internal object FormatSniffer {
     private const val HEAD = 4096
 
-    private val objLine = Regex("(v|vt|vn|f|o|g|s|mtllib|usemtl)\\s.*")
-
-    /** Returns the format that [bytes] look like, or null. */
-    fun format(bytes: ByteArray): SceneFormat? = format(bytes, bytes.size.toLong())
+    private val objWords = setOf("v", "vt", "vn", "f", "o", "g", "s", "mtllib", "usemtl")
 
     /** Returns the format that a file of [size] bytes looks like, whose first are [bytes], or null. */
-    fun format(bytes: ByteArray, size: Long): SceneFormat? {
+    fun format(bytes: ByteArray, size: Long = bytes.size.toLong()): SceneFormat? {
         val head = TextEncoding.start(bytes, HEAD)
         return when {
             head.startsWith("glTF") -> SceneFormat.GLB
@@ -42,6 +40,7 @@ internal object FormatSniffer {
     /** The first line that is not empty and not a comment must be an OBJ statement. */
     private fun isObj(head: String): Boolean {
         val first = head.lineSequence().map { it.trim() }.firstOrNull { it.isNotEmpty() && !it.startsWith('#') }
-        return first?.matches(objLine) == true
+        val words = first?.let(TextLines::words) ?: return false
+        return words.size > 1 && words[0] in objWords
     }
 }

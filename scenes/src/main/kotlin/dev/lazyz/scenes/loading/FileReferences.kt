@@ -90,10 +90,17 @@ internal class FileReferences(
         }
     }
 
-    private fun isAbsolute(name: String) = name.startsWith("/") || drive.matches(name) || url.matches(name)
+    private fun isAbsolute(name: String) = name.startsWith("/") || scheme(name).isNotEmpty()
+
+    /** Returns the letter of a drive, or the scheme of a URL, which is longer; empty if [name] has neither. */
+    private fun scheme(name: String): String {
+        val scheme = name.substringBefore(":/", "")
+        val isOne = scheme.all { it in 'a'..'z' || it in 'A'..'Z' || it in '0'..'9' || it in "+.-" }
+        return if (isOne && scheme.firstOrNull()?.isLetter() == true) scheme else ""
+    }
 
     private fun inside(folder: Path, name: String): Path? {
-        if (url.matches(name)) return null
+        if (scheme(name).length > 1) return null
         val root = folder.toAbsolutePath().normalize()
         val file = Path.of(name).normalize()
         return file.takeIf { it.isAbsolute && it.startsWith(root) && Files.isRegularFile(it) }
@@ -126,9 +133,6 @@ internal class FileReferences(
 
         /** Maximum size of a file, because it must fit into an array. */
         private const val MAX_BYTES = Int.MAX_VALUE - 8L
-
-        private val drive = Regex("[A-Za-z]:/.*")
-        private val url = Regex("[A-Za-z][A-Za-z0-9+.-]+:/.*")
 
         /** Returns the whole content of [file], or null if it cannot be read or is too large for an array. */
         fun read(file: Path): ByteArray? = try {

@@ -25,10 +25,19 @@ internal class OffHeader private constructor(
     val isPlain: Boolean get() = !hasNormals && !hasColors && !hasPlaces
 
     companion object {
-        private val keyword = Regex("((?:ST|C|N|4|n)*)(?:OFF|off)(\\d*)")
-
         /** Whether [word] is the first word of a file of this format. */
-        fun isKeyword(word: String): Boolean = keyword.matches(word)
+        fun isKeyword(word: String): Boolean = keyword(word) != null
+
+        /** Returns the letters in front of `OFF`, and the digits behind it, or null if [word] is something else. */
+        private fun keyword(word: String): Pair<String, String>? {
+            var letters = 0
+            while (letters < word.length) {
+                letters += if (word.startsWith("ST", letters)) 2 else if (word[letters] in "CN4n") 1 else break
+            }
+            val behind = word.drop(letters + 3)
+            val isOne = word.startsWith("OFF", letters) || word.startsWith("off", letters)
+            return if (isOne && behind.all { it in '0'..'9' }) word.take(letters) to behind else null
+        }
 
         /**
          * Reads the header. [line] must be at the start of the file. The first word may be missing; vertices then have
@@ -36,9 +45,7 @@ internal class OffHeader private constructor(
          */
         fun read(source: Source, line: OffLine): OffHeader {
             val word = line.firstWord() ?: source.fail(null, "there are no words in the file", "export the model again")
-            val match = keyword.matchEntire(word)
-            val letters = match?.groupValues?.get(1) ?: ""
-            val behind = match?.groupValues?.get(2) ?: word
+            val (letters, behind) = keyword(word) ?: ("" to word)
             if ('4' in letters || 'n' in letters) {
                 line.fail("\"$word\" has vertices of other than three dimensions", "export them with three, as OFF")
             }

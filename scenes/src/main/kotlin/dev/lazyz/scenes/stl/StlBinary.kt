@@ -2,6 +2,7 @@ package dev.lazyz.scenes.stl
 
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.TextEncoding
+import dev.lazyz.scenes.text.TextLines
 import java.io.InputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
@@ -30,8 +31,8 @@ internal object StlBinary {
     /** Number of bytes to search for what does, or does not, occur in text. */
     private const val PROBE = 1024
 
-    /** Words of the ASCII form, which do not occur in the headers of the binary form. */
-    private val words = Regex("facet\\s+(normal|outer)|outer\\s+loop", RegexOption.IGNORE_CASE)
+    /** Neighbours in the ASCII form, which do not occur in the headers of the binary form. */
+    private val words = setOf("facet" to "normal", "facet" to "outer", "outer" to "loop")
 
     /**
      * Whether a file of [size] bytes, of which [bytes] are the first, is in the binary form. It is if its size fits its
@@ -42,7 +43,8 @@ internal object StlBinary {
     fun isBinary(bytes: ByteArray, size: Long): Boolean {
         if (isWhole(bytes, size)) return true
         val start = TextEncoding.start(bytes, PROBE)
-        if (words.containsMatchIn(start)) return false
+        val pairs = TextLines.words(start.lowercase()).zipWithNext()
+        if (pairs.any { (a, b) -> words.any { a.endsWith(it.first) && b.startsWith(it.second) } }) return false
         val isMarked = start.trimStart().startsWith("solid", ignoreCase = true)
         return !isMarked || start.any { it < ' ' && !it.isWhitespace() }
     }

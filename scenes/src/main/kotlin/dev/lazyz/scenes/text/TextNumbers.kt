@@ -6,8 +6,6 @@ package dev.lazyz.scenes.text
  * the `e` by mistake: `3.1+e2` is read as `3.1e+2`.
  */
 internal object TextNumbers {
-    private val misprint = Regex("([+-]?[0-9.]+)([+-])[eE]([0-9]+)")
-
     /** Returns the number that [word] represents, or null if it is not a number. */
     fun parse(word: String): Double? = word.toDoubleOrNull() ?: named(word) ?: corrected(word)?.toDoubleOrNull()
 
@@ -15,8 +13,12 @@ internal object TextNumbers {
     fun parseFloat(word: String): Float? =
         word.toFloatOrNull() ?: named(word)?.toFloat() ?: corrected(word)?.toFloatOrNull()
 
-    private fun corrected(word: String): String? =
-        if (misprint.matches(word)) misprint.replace(word, "$1e$2$3") else null
+    /** Returns [word] with the sign behind the `e`, or null if it is not in front of it. */
+    private fun corrected(word: String): String? {
+        val e = word.indexOf('e', ignoreCase = true)
+        if (e < 2 || word[e - 1] !in "+-" || word.last() !in '0'..'9') return null
+        return word.substring(0, e - 1) + "e" + word[e - 1] + word.substring(e + 1)
+    }
 
     private fun named(word: String): Double? {
         val isNegative = word.startsWith("-")

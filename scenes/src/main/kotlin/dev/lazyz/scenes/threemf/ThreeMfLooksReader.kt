@@ -50,7 +50,7 @@ internal class ThreeMfLooksReader(
      * except alpha are sRGB-encoded.
      */
     private fun color(text: String?, isOpaqueWithoutAlpha: Boolean): Int {
-        val digits = text?.trim()?.let { colorForm.matchEntire(it) }?.groupValues?.get(1)
+        val digits = text?.trim()?.takeIf(::isColor)?.drop(1)
         if (digits == null && text != null) unused.add("colours that are not #RRGGBB or #RRGGBBAA")
         val code = (digits ?: "").padEnd(8, 'F').toLong(16)
         val alpha = if (isOpaqueWithoutAlpha && code and 0xFF == 0L) 0xFF else code and 0xFF
@@ -149,7 +149,6 @@ internal class ThreeMfLooksReader(
         return Rgba(red, green, blue, alpha)
     }
 
-    private companion object {
-        val colorForm = Regex("#([0-9A-Fa-f]{6}|[0-9A-Fa-f]{8})")
-    }
+    private fun isColor(text: String): Boolean = text.startsWith('#') && (text.length == 7 || text.length == 9) &&
+        text.drop(1).all { it in '0'..'9' || it.lowercaseChar() in 'a'..'f' }
 }

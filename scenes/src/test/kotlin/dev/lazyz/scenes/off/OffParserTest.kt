@@ -14,6 +14,7 @@ import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -70,6 +71,12 @@ class OffParserTest {
             }
         }
         assertEquals(listOf(0f, 0f, 1f), mesh("OFF 4 1\n${square}4 0 1 2 3").normals!!.take(3))
+    }
+
+    @Test
+    fun aLongFirstWordTakesNoStack() {
+        assertTrue(OffHeader.isKeyword("ST".repeat(100_000) + "OFF"))
+        assertFalse(OffHeader.isKeyword("ST".repeat(100_000) + "OF"))
     }
 
     @Test

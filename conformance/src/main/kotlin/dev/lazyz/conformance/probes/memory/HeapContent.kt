@@ -59,9 +59,6 @@ internal class HeapContent private constructor(private val bytes: LongArray) {
 
         private val commands = ObjectName("com.sun.management:type=DiagnosticCommand")
 
-        /** Such as `   1:    12345     678901  [B (java.base@17)`: place, instances, bytes, class. */
-        private val line = Regex("""\s*\d+:\s+\d+\s+(\d+)\s+(\S+).*""")
-
         /**
          * Collects garbage and counts, with all threads stopped. Takes some tens of milliseconds for each 100 MB.
          * Returns null if this JVM cannot do that.
@@ -73,14 +70,20 @@ internal class HeapContent private constructor(private val bytes: LongArray) {
                 ManagementFactory.getPlatformMBeanServer().invoke(commands, "gcClassHistogram", options, types)
             }
             val lines = (histogram.getOrNull() as? String ?: return null).lineSequence()
-            val counts = lines.mapNotNull { line.matchEntire(it) }
-                .map { Classes.number(it.groupValues[2]) to it.groupValues[1].toLong() }.toList()
+            val counts = lines.mapNotNull(::count).toList()
             if (counts.isEmpty()) return null
             val bytes = LongArray(counts.maxOf { (number, _) -> number } + 1)
 
             // Classes of several loaders can share a name
             for ((number, held) in counts) bytes[number] += held
             return HeapContent(bytes)
+        }
+
+        /** Parses such as `   1:    12345     678901  [B (java.base@17)`: place, instances, bytes, class. */
+        private fun count(line: String): Pair<Int, Long>? {
+            val words = line.split(' ').filter { it.isNotEmpty() }
+            if (words.size < 4 || !words[0].endsWith(':')) return null
+            return words[2].toLongOrNull()?.let { Classes.number(words[3]) to it }
         }
     }
 }

@@ -38,12 +38,12 @@ internal object MediaTypes {
     }
 
     /**
-     * Returns the format that the content looks like.
+     * Returns the format that the content looks like, which has [size] bytes and begins with [start].
      *
      * @throws Problem if it looks like no model
      */
-    fun sniffed(body: ByteArray): SceneFormat {
-        val format = Scenes.formatOf(body)
+    fun sniffed(start: ByteArray, size: Int): SceneFormat {
+        val format = Scenes.formatOf(start, size.toLong())
         if (format != null && formats.containsValue(format)) return format
         throw unsupported("the model is of no known format; name it with format=${formats.keys.joinToString("|")}")
     }

@@ -9,9 +9,15 @@ import java.io.InputStream
  *
  * @param png the bytes of a PNG file
  * @property tag names the picture: two with the same pixels have the same
- * @property warnings what the loader has left out
+ * @param warnings what the loader has left out
  */
-internal class Picture(private val png: Bytes, val tag: String, val warnings: List<String>) {
+internal class Picture(private val png: Bytes, val tag: String, warnings: List<String>) {
+    /** The number of warnings. */
+    val warningCount = warnings.size
+
+    /** The first warnings, for the client. */
+    val warnings: List<String> = warnings.take(MOST_WARNINGS).map(ClientText::of)
+
     /** The bytes of the file. */
     val size: Int get() = png.size()
 
@@ -19,6 +25,10 @@ internal class Picture(private val png: Bytes, val tag: String, val warnings: Li
     val memory: Long get() = png.room.toLong()
 
     fun open(): InputStream = png.open()
+
+    private companion object {
+        const val MOST_WARNINGS = 5
+    }
 
     /** Collects bytes, and reads them again without a copy. */
     class Bytes : ByteArrayOutputStream() {

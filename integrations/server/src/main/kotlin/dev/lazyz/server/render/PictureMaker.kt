@@ -9,6 +9,7 @@ import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.planning.SetUpMemory
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.NoPictureException
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
@@ -40,8 +41,8 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     private fun outputNeed(request: PictureRequest): Long =
         request.pixels * BYTES_PER_PIXEL + pngBlocks * BLOCK_BYTES
 
-    /** Returns the bytes of memory that a model of [size] bytes in this [format] takes, without these bytes. */
-    fun modelNeed(format: SceneFormat, size: Int): Long = decoded(format, size) * MEMORY_PER_DECODED
+    /** Returns the bytes of memory that a model of [size] bytes in this [format] takes, with an array of them. */
+    fun modelNeed(format: SceneFormat, size: Int): Long = decoded(format, size) * MEMORY_PER_DECODED + size
 
     /**
      * Returns the picture of the model in [body], in [memory] bytes.
@@ -66,6 +67,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
 
         // The loader's working memory is free now
         val items = listOf(
+            MemoryItem("file", body.size.toLong()),
             MemoryItem("model", decoded),
             MemoryItem("set-up", SetUpMemory.bytes(loaded.scene)),
             MemoryItem("output", outputNeed(request)),
@@ -75,7 +77,8 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         val frame = try {
             request.settings.frame(loaded, options)
         } catch (e: NoPictureException) {
-            throw Problem(Problem.UNPROCESSABLE, "the model cannot be shown as requested: ${e.message}")
+            val reason = ClientText.of(e.message.orEmpty())
+            throw Problem(Problem.UNPROCESSABLE, "the model cannot be shown as requested: $reason")
         }
         requireGoingOn()
         val plan = plan(frame, maxOf(memory, setUp), items)
@@ -85,14 +88,23 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         val size = request.settings.size
         val isOpaque = frame.frame.raster.background.alpha >= 1f
         val alpha = if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
-        PngSink(png, size.width, size.height, alpha).use { sink ->
+        val work = PngSink(png, size.width, size.height, alpha).use { sink ->
             frame.render(plan.renderer) { y, argb, depth, primitive ->
                 hash.add(argb, size.width)
                 sink.row(y, argb, depth, primitive)
             }
         }
+        if (work.fragments == 0L) throw nothing(loaded)
+
         // Width and height are not part of the hash
         return Picture(png, "$size-${hash.digest()}", loaded.warnings)
+    }
+
+    /** Returns the problem that the picture is empty, with the reasons. */
+    private fun nothing(loaded: LoadedScene): Problem {
+        val left = loaded.warnings.take(MOST_REASONS).map(ClientText::of)
+        val reasons = left + "what there is has no area, no finite corners, or is too small or outside"
+        return Problem(Problem.UNPROCESSABLE, "nothing of the model remains to show: ${reasons.joinToString("; ")}")
     }
 
     /** Returns the plan that fits into [memory] bytes, or the one that needs the least. No reserve is part of them. */
@@ -119,6 +131,9 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
 
         /** Decoded bytes for each byte of a model without compression, at most. Usual ones have 1 to 4. */
         private const val MOST_GROWTH = 16L
+
+        /** Warnings in a message. */
+        private const val MOST_REASONS = 5
 
         /** The PNG file, and room for it to grow. */
         private const val BYTES_PER_PIXEL = 8L

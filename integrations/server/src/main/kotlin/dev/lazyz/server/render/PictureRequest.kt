@@ -30,9 +30,12 @@ internal class PictureRequest(val format: SceneFormat?, val settings: PictureSet
 
         /** Shows what is possible for every model of a size: some have further obstacles. */
         private val NOTHING = Scene(emptyList())
-        private val SIZE = Regex("""(\d{1,9})(?:[xX](\d{1,9}))?""")
-        private val DECIMAL = Regex("""[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?""")
-        private val HEX = Regex("[0-9a-fA-F]{3,8}")
+
+        /** Characters of the longest value that has a meaning, and more. */
+        private const val LONGEST = 100
+
+        /** The characters of decimal numbers: with them, no other form of a number is possible. */
+        private const val DECIMAL = "0123456789.+-eE"
 
         /**
          * Reads the parameters of a query; of several values of one, the last counts.
@@ -46,6 +49,9 @@ internal class PictureRequest(val format: SceneFormat?, val settings: PictureSet
                 if (name !in ids) fail("there is no parameter '$name'; there are ${ids.keys.joinToString()}")
             }
             val given = query.mapKeys { ids.getValue(it.key) }.mapValues { it.value.last() }
+            for ((parameter, value) in given) {
+                if (value.length > LONGEST) fail("${parameter.id}: a value has at most $LONGEST characters")
+            }
             val view = named(given, Parameter.VIEW, views)
             val usual = Camera.fit()
             val size = given[Parameter.SIZE]?.let { size(it, mostPixels) } ?: USUAL_SIZE
@@ -82,17 +88,19 @@ internal class PictureRequest(val format: SceneFormat?, val settings: PictureSet
             range: ClosedRange<Double>,
         ): Double? {
             val text = given[parameter] ?: return null
-            if (!DECIMAL.matches(text)) fail("${parameter.id}: '$text' is not a number")
-            val number = text.toDouble()
+            val number = if (text.all { it in DECIMAL }) text.toDoubleOrNull() else null
+            if (number == null) fail("${parameter.id}: '$text' is not a number")
             if (number !in range) fail("${parameter.id} must be in ${range.start}..${range.endInclusive}: $text")
             return number
         }
 
         private fun size(text: String, mostPixels: Long): ImageSize {
-            val match = SIZE.matchEntire(text)
-                ?: fail("size: '$text' is not WIDTHxHEIGHT, such as 640x480, or one number for a square")
-            val width = match.groupValues[1].toInt()
-            val height = match.groupValues[2].ifEmpty { match.groupValues[1] }.toInt()
+            val words = text.lowercase().split('x')
+            if (words.size > 2 || !words.all { it.length in 1..9 && it.all { digit -> digit in '0'..'9' } }) {
+                fail("size: '$text' is not WIDTHxHEIGHT, such as 640x480, or one number for a square")
+            }
+            val width = words.first().toInt()
+            val height = words.last().toInt()
             val sides = 1..Raster.MAX_SIDE
             if (width !in sides || height !in sides) fail("size: width and height must be in $sides: $text")
             if (width.toLong() * height > mostPixels) fail("size: a picture has at most $mostPixels pixels: $text")
@@ -100,7 +108,7 @@ internal class PictureRequest(val format: SceneFormat?, val settings: PictureSet
         }
 
         private fun color(text: String): Rgba = try {
-            Rgba.parse(if (HEX.matches(text)) "#$text" else text)
+            Rgba.parse(if (text.startsWith('#') || text.lowercase() in Rgba.names) text else "#$text")
         } catch (_: IllegalArgumentException) {
             fail("background: '$text' is not a colour: neither a name of CSS nor hexadecimal rgb, rrggbb or rrggbbaa")
         }

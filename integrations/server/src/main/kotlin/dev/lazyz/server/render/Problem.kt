@@ -6,9 +6,14 @@ package dev.lazyz.server.render
  * @property status the HTTP status
  * @property message what is wrong, and what to do about it
  * @property retrySeconds when to try again, or null if that is no use
+ * @property allowed the methods that are possible, if the one of the request is not
  */
-internal class Problem(val status: Int, override val message: String, val retrySeconds: Int? = null) :
-    RuntimeException(message, null, false, false) {
+internal class Problem(
+    val status: Int,
+    override val message: String,
+    val retrySeconds: Int? = null,
+    val allowed: String? = null,
+) : RuntimeException(message, null, false, false) {
     companion object {
         const val BAD_REQUEST = 400
         const val NOT_FOUND = 404

@@ -7,12 +7,14 @@ package dev.lazyz.server.render
  * @param work renders the picture. It runs on a thread of the queue, which is interrupted if the job is cancelled. It
  *   is done again with more memory if it throws [MoreMemory]
  * @param started is called when the work begins, on the thread of the queue
- * @param ended is called once, with the picture or the problem
+ * @param released is called once, when no thread is at work any more
+ * @param ended is called once, with the picture or the problem: after that, or, if the queue gives up, before it
  */
 internal class RenderJob(
     need: Long,
     val work: (RenderJob) -> Picture,
     val started: () -> Unit,
+    val released: () -> Unit,
     val ended: (Outcome) -> Unit,
 ) {
     /**
@@ -27,8 +29,13 @@ internal class RenderJob(
     /** The thread that does the work, or null. Guarded by the lock of the queue. */
     var thread: Thread? = null
 
-    /** Why the job was cancelled, or null. Guarded by the lock of the queue. */
+    /** Why the job was cancelled, or null. Written under the lock of the queue, while the job is at work. */
+    @Volatile
     var reason: Problem? = null
+
+    /** Whether the queue has given up on the job: it has ended, and its thread hangs. As [reason]. */
+    @Volatile
+    var isGivenUp = false
 }
 
 /** The work of a job needs [need] bytes of memory, more than are free: it ends, and begins again when they are. */

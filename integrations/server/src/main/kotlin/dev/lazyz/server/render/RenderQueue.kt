@@ -2,6 +2,9 @@ package dev.lazyz.server.render
 
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneReadException
+import java.time.Duration
+import java.util.concurrent.ScheduledThreadPoolExecutor
+import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
@@ -9,27 +12,43 @@ import kotlin.concurrent.withLock
  * Renders jobs in the order in which they arrive: at most [threads] at the same time, and only as many as there is
  * memory for. A job that must wait for memory is not overtaken by smaller ones, so each gets its turn. Thread safe.
  *
+ * A job that is cancelled has [patience] to react. Then the queue gives up on it: the job ends, and another thread
+ * takes the place of the one that hangs, which keeps its memory until it returns. At most as many threads are replaced
+ * as jobs run at the same time, since those that hang take processor time.
+ *
  * @property threads jobs that run at the same time
  * @property capacity further jobs that can wait
  * @property memory bytes of memory for the jobs that run, and for pictures that are not yet sent
  */
-internal class RenderQueue(private val threads: Int, private val capacity: Int, val memory: Long) : AutoCloseable {
+internal class RenderQueue(
+    private val threads: Int,
+    private val capacity: Int,
+    val memory: Long,
+    private val patience: Duration = Duration.ofSeconds(5),
+) : AutoCloseable {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
     private val jobs = ArrayDeque<RenderJob>()
+    private val atWork = LinkedHashSet<RenderJob>()
+    private val workers = LinkedHashSet<Thread>()
+    private val watch = ScheduledThreadPoolExecutor(1) { Thread(it, "lazyz-render-watch").apply { isDaemon = true } }
     private var isClosed = false
-    private val workers = List(threads) { number ->
-        Thread({ run() }, "lazyz-render-$number").apply {
-            isDaemon = true
-            start()
-        }
+
+    /** The threads that take jobs: all but those that hang. */
+    private var active = 0
+
+    init {
+        lock.withLock { repeat(threads) { startWorker() } }
     }
 
     /** The jobs that wait. */
     val waiting: Int get() = lock.withLock { jobs.size }
 
-    /** The jobs that run. */
-    var running = 0
+    /** The jobs that run, without those that are given up. */
+    val running: Int get() = lock.withLock { atWork.size }
+
+    /** The threads that hang: their jobs are given up, and they have not returned. */
+    var hanging = 0
         get() = lock.withLock { field }
         private set
 
@@ -39,7 +58,11 @@ internal class RenderQueue(private val threads: Int, private val capacity: Int, 
         private set
 
     /** Whether another job would be refused. */
-    val isFull: Boolean get() = lock.withLock { isClosed || jobs.size + running >= threads + capacity }
+    val isFull: Boolean
+        get() = lock.withLock { isClosed || active == 0 || jobs.size + atWork.size >= threads + capacity }
+
+    /** Whether all threads hang, so that nothing will be rendered any more. */
+    val isStuck: Boolean get() = lock.withLock { active == 0 }
 
     /** Adds [job], or returns false if the queue is full. */
     fun offer(job: RenderJob): Boolean = lock.withLock {
@@ -70,22 +93,19 @@ internal class RenderQueue(private val threads: Int, private val capacity: Int, 
 
     /** Ends [job] with [reason]: takes it out of the queue, or interrupts its work. */
     fun cancel(job: RenderJob, reason: Problem) {
-        val wasWaiting = lock.withLock {
-            val wasWaiting = jobs.remove(job)
-            if (!wasWaiting && job.thread != null && job.reason == null) {
-                job.reason = reason
-                job.thread?.interrupt()
-            }
-            if (wasWaiting) changed.signalAll()
-            wasWaiting
+        if (cancelIfWaiting(job, reason)) return
+        lock.withLock {
+            if (job !in atWork || job.reason != null || isClosed) return
+            stop(job, reason)
+            watch.schedule({ giveUp(job) }, patience.toMillis(), TimeUnit.MILLISECONDS)
         }
-        if (wasWaiting) job.ended(RenderJob.Outcome(null, reason))
     }
 
-    /** Ends [job] with [reason] if its work has not begun. */
-    fun cancelIfWaiting(job: RenderJob, reason: Problem) {
+    /** Ends [job] with [reason] if its work has not begun. Returns whether it did. */
+    fun cancelIfWaiting(job: RenderJob, reason: Problem): Boolean {
         val wasWaiting = lock.withLock { jobs.remove(job).also { if (it) changed.signalAll() } }
-        if (wasWaiting) job.ended(RenderJob.Outcome(null, reason))
+        if (wasWaiting) drop(job, reason)
+        return wasWaiting
     }
 
     /** Gives back the memory of a picture. */
@@ -94,80 +114,133 @@ internal class RenderQueue(private val threads: Int, private val capacity: Int, 
         changed.signalAll()
     }
 
-    /** Refuses further jobs, cancels all others, and waits for the threads. */
+    /**
+     * Refuses further jobs, cancels all others, and waits for the threads, at most 2 seconds. Those that hang are left.
+     */
     override fun close() {
         val left = lock.withLock {
             isClosed = true
+            watch.shutdownNow()
+            for (job in atWork) if (job.reason == null) stop(job, CLOSED)
             changed.signalAll()
-            for (worker in workers) worker.interrupt()
             jobs.toList().also { jobs.clear() }
         }
-        for (job in left) job.ended(RenderJob.Outcome(null, CLOSED))
-        for (worker in workers) worker.join()
+        for (job in left) drop(job, CLOSED)
+        lock.withLock {
+            var rest = minOf(patience, LAST_WAIT).toNanos()
+            while (workers.size > hanging && rest > 0) rest = awaitChange(rest)
+            atWork.toList()
+        }.forEach(::giveUp)
+    }
+
+    /** Waits for a change, and returns the nanoseconds that are left: none if this thread is interrupted. */
+    private fun awaitChange(nanos: Long): Long = try {
+        changed.awaitNanos(nanos)
+    } catch (_: InterruptedException) {
+        Thread.currentThread().interrupt()
+        0
+    }
+
+    private fun startWorker() {
+        active++
+        workers += Thread({ run() }, "lazyz-render").apply {
+            isDaemon = true
+            start()
+        }
     }
 
     private fun run() {
         while (true) {
-            val job = next() ?: return
-            job.started()
+            val job = next() ?: break
             val outcome = try {
                 outcome(job)
             } catch (more: MoreMemory) {
                 if (retry(job, more.need)) continue
                 RenderJob.Outcome(null, CLOSED)
             }
-            val final = lock.withLock {
-                stop(job)
-                val reason = job.reason
-                val final = if (reason == null) outcome else RenderJob.Outcome(null, reason)
-                taken += final.picture?.memory ?: 0
-                final
+            val goesOn = lock.withLock {
+                val goesOn = leave(job)
+                if (!job.isGivenUp) taken += if (job.reason == null) outcome.picture?.memory ?: 0 else 0
+                goesOn
             }
-            job.ended(final)
+            quietly { job.released() }
+            val final = if (job.reason == null) outcome else RenderJob.Outcome(null, job.reason)
+            if (!job.isGivenUp) quietly { job.ended(final) }
+            if (!goesOn) break
+        }
+        lock.withLock {
+            workers -= Thread.currentThread()
+            changed.signalAll()
         }
     }
 
     /** Puts [job] in front of all others, to begin again with [need] bytes, unless it must end. */
     private fun retry(job: RenderJob, need: Long): Boolean = lock.withLock {
         if (isClosed || job.reason != null) return false
-        stop(job)
+        leave(job)
         job.need = need
         jobs.addFirst(job)
         true
     }
 
-    /** Takes its thread and its memory from [job]. No interrupt for it comes after this. */
-    private fun stop(job: RenderJob) {
+    private fun stop(job: RenderJob, reason: Problem) {
+        job.reason = reason
+        job.thread?.interrupt()
+    }
+
+    /** Ends [job], whose thread does not react, and starts another thread in its place, if there may be one. */
+    private fun giveUp(job: RenderJob) {
+        lock.withLock {
+            if (!atWork.remove(job)) return
+            job.isGivenUp = true
+            job.thread?.interrupt()
+            active--
+            hanging++
+            if (hanging <= threads && !isClosed) startWorker()
+            changed.signalAll()
+        }
+        quietly { job.ended(RenderJob.Outcome(null, job.reason)) }
+    }
+
+    private fun drop(job: RenderJob, reason: Problem) {
+        quietly { job.released() }
+        quietly { job.ended(RenderJob.Outcome(null, reason)) }
+    }
+
+    /**
+     * Takes its thread and its memory from [job]. No interrupt for it comes after this. Returns whether this thread is
+     * needed further: one that was given up may have been replaced.
+     */
+    private fun leave(job: RenderJob): Boolean {
         job.thread = null
         Thread.interrupted()
-        running--
         taken -= job.need
         changed.signalAll()
+        if (atWork.remove(job)) return true
+        hanging--
+        if (active >= threads) return false
+        active++
+        return true
     }
 
     /** Returns the first job, as soon as there is memory for it, or null if the queue is closed. */
     private fun next(): RenderJob? = lock.withLock {
-        while (true) {
-            if (isClosed) return null
+        while (!isClosed) {
             val first = jobs.firstOrNull()
             if (first != null && first.need <= memory - taken) {
                 jobs.removeFirst()
                 first.thread = Thread.currentThread()
-                running++
+                atWork += first
                 taken += first.need
                 return first
             }
-            try {
-                changed.await()
-            } catch (_: InterruptedException) {
-                // Only close() interrupts a thread that waits
-            }
+            changed.awaitUninterruptibly()
         }
-        @Suppress("UNREACHABLE_CODE")
         null
     }
 
     private fun outcome(job: RenderJob): RenderJob.Outcome = try {
+        job.started()
         RenderJob.Outcome(job.work(job), null)
     } catch (more: MoreMemory) {
         throw more
@@ -177,16 +250,33 @@ internal class RenderQueue(private val threads: Int, private val capacity: Int, 
         // Its message can name a path of the server, which is for the log
         RenderJob.Outcome(null, Problem(Problem.BUG, "the server cannot read a file"), unreadable)
     } catch (invalid: SceneFormatException) {
-        RenderJob.Outcome(null, Problem(Problem.UNPROCESSABLE, invalid.message.orEmpty()))
+        // The loader can have met the end of the memory
+        val isMemory = generateSequence(invalid.cause) { it.cause }.take(DEEPEST).any { it is OutOfMemoryError }
+        RenderJob.Outcome(null, if (isMemory) MEMORY else Problem(Problem.UNPROCESSABLE, ClientText.of(invalid)))
     } catch (_: InterruptedException) {
         RenderJob.Outcome(null, CLOSED)
     } catch (_: OutOfMemoryError) {
-        RenderJob.Outcome(null, Problem(Problem.UNAVAILABLE, "the memory is used up; try a smaller model or picture"))
+        RenderJob.Outcome(null, MEMORY)
     } catch (bug: Throwable) {
         RenderJob.Outcome(null, Problem(Problem.BUG, "the server has failed: this is a bug"), bug)
     }
 
+    /** Calls [act]. A failure in it must not end a thread of the queue. */
+    private fun quietly(act: () -> Unit) = try {
+        act()
+    } catch (failure: Throwable) {
+        LOGGER.log(System.Logger.Level.ERROR, "a request could not be ended", failure)
+    }
+
     private companion object {
         val CLOSED = Problem(Problem.UNAVAILABLE, "the server is closed")
+        val MEMORY = Problem(Problem.UNAVAILABLE, "the memory is used up; try a smaller model or picture")
+        val LOGGER: System.Logger = System.getLogger("dev.lazyz.server")
+
+        /** The time that [close] waits for threads, at most. */
+        val LAST_WAIT: Duration = Duration.ofSeconds(2)
+
+        /** Causes that are looked at. */
+        const val DEEPEST = 20
     }
 }

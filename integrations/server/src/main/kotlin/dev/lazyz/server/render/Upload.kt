@@ -8,7 +8,9 @@ package dev.lazyz.server.render
  * @param most the maximum number of bytes
  */
 internal class Upload(private val announced: Long?, private val most: Long, private val budget: MemoryBudget) {
-    private var bytes = ByteArray(0)
+    /** The bytes in parts: an event loop has no time to copy a large array whenever it must grow. */
+    private val parts = ArrayList<ByteArray>()
+    private var room = 0
 
     /** The number of bytes so far. */
     var size = 0
@@ -19,49 +21,72 @@ internal class Upload(private val announced: Long?, private val most: Long, priv
     }
 
     /**
-     * Makes room for [count] more bytes, and passes the array and the place to [read].
+     * Makes room for [count] more bytes, and lets [read] fill it: it gets an array, the place, and the number of bytes.
      *
      * @throws Problem if the model becomes too large, or the memory is in use
      */
-    fun add(count: Int, read: (ByteArray, Int) -> Unit) {
+    fun add(count: Int, read: (ByteArray, Int, Int) -> Unit) {
         if (size.toLong() + count > most) throw tooLarge()
-        if (size + count > bytes.size) {
-            val room = maxOf(2L * bytes.size, LEAST.toLong()).coerceAtMost(announced ?: most)
-            resize(maxOf(room, size.toLong() + count).toInt())
+        var left = count
+        while (left > 0) {
+            if (size == room) grow()
+            val last = parts.last()
+            val at = last.size - (room - size)
+            val now = minOf(left, last.size - at)
+            read(last, at, now)
+            size += now
+            left -= now
         }
-        read(bytes, size)
-        size += count
     }
 
-    /** Returns all bytes, in an array of their number. */
-    fun complete(): ByteArray {
-        if (bytes.size != size) resize(size)
+    /** The first bytes: all, or enough to recognize a format. */
+    fun start(): ByteArray = parts.firstOrNull()?.let { it.copyOf(minOf(it.size, size)) } ?: ByteArray(0)
+
+    /** Returns a new array with all bytes. */
+    fun joined(): ByteArray {
+        val bytes = ByteArray(size)
+        var at = 0
+        for (part in parts) {
+            part.copyInto(bytes, at, 0, minOf(part.size, size - at))
+            at += part.size
+        }
         return bytes
     }
 
     /** Gives the memory back. Calling it again does nothing. */
     fun release() {
-        budget.giveBack(bytes.size.toLong())
-        bytes = ByteArray(0)
+        budget.giveBack(room.toLong())
+        parts.clear()
+        room = 0
     }
 
-    /** While the bytes are copied, both arrays count. */
-    private fun resize(length: Int) {
-        if (!budget.tryTake(length.toLong())) {
-            throw Problem(
-                Problem.UNAVAILABLE,
-                "the memory for uploads is in use by other requests; try again later",
-                Problem.SOON,
-            )
+    private fun grow() {
+        val rest = (announced ?: most) - room
+        val length = minOf(room.coerceIn(LEAST, LARGEST).toLong(), maxOf(rest, 1)).toInt()
+        if (!budget.tryTake(length.toLong())) throw inUse()
+        room += length
+        try {
+            parts.add(ByteArray(length))
+        } catch (_: OutOfMemoryError) {
+            room -= length
+            budget.giveBack(length.toLong())
+            throw inUse()
         }
-        val old = bytes.size.toLong()
-        bytes = bytes.copyOf(length)
-        budget.giveBack(old)
     }
+
+    private fun inUse() = Problem(
+        Problem.UNAVAILABLE,
+        "the memory for uploads is in use by other requests; try again later",
+        Problem.SOON,
+    )
 
     private fun tooLarge() = Problem(Problem.TOO_LARGE, "a model has at most $most bytes")
 
     private companion object {
+        /** Bytes of the first part; more than a look at the format needs. */
         const val LEAST = 1 shl 14
+
+        /** Bytes of a part, at most. */
+        const val LARGEST = 1 shl 20
     }
 }

@@ -2,12 +2,15 @@ package dev.lazyz.server.render
 
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneReadException
+import java.time.Duration
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -17,13 +20,14 @@ class RenderQueueTest {
     private val begun = LinkedBlockingQueue<String>()
     private val ended = LinkedBlockingQueue<RenderJob.Outcome>()
     private val release = CountDownLatch(1)
+    private val released = AtomicInteger()
     private val picture = Picture(Picture.Bytes().apply { write(ByteArray(7)) }, "tag", emptyList())
 
     @AfterEach
     fun close() = queue.close()
 
     private fun job(name: String, need: Long, work: () -> Picture = { picture.also { release.await() } }) =
-        RenderJob(need, { work() }, { begun.add(name) }, { ended.add(it) })
+        RenderJob(need, { work() }, { begun.add(name) }, { released.incrementAndGet() }, { ended.add(it) })
 
     @Test
     fun jobsBeginInTheirOrderAsSoonAsThereIsMemory() {
@@ -80,7 +84,7 @@ class RenderQueueTest {
     @Test
     fun aJobGrowsOrBeginsAgainOrIsTooLarge() {
         fun growing(name: String, need: Long) =
-            RenderJob(10, { picture.also { _ -> queue.grow(it, need) } }, { begun.add(name) }, { ended.add(it) })
+            RenderJob(10, { picture.also { _ -> queue.grow(it, need) } }, { begun.add(name) }, {}, { ended.add(it) })
 
         queue.offer(growing("free", 90))
         assertEquals("free", take(begun))
@@ -114,6 +118,11 @@ class RenderQueueTest {
         assertEquals(Problem.BUG, take(ended).problem?.status)
         queue.offer(job("memory", 1) { throw OutOfMemoryError() })
         assertEquals(Problem.UNAVAILABLE, take(ended).problem?.status)
+        val cause = IllegalStateException(OutOfMemoryError())
+        queue.offer(job("loader", 1) { throw SceneFormatException("model", null, "is too large", "raise -Xmx", cause) })
+        val problem = checkNotNull(take(ended).problem)
+        assertEquals(Problem.UNAVAILABLE, problem.status)
+        assertFalse("-Xmx" in problem.message, problem.message)
         assertEquals(0, queue.taken)
     }
 
@@ -130,6 +139,66 @@ class RenderQueueTest {
         assertTrue(outcome.bug is SceneReadException)
     }
 
+    /** A thread that no interrupt ends. */
+    private fun hang(): Picture {
+        while (release.count > 0) runCatching { release.await() }
+        return picture
+    }
+
+    @Test
+    fun threadsThatDoNotReactAreReplacedAndKeepTheirMemory() = RenderQueue(2, 2, 100, SHORT).use { queue ->
+        val reason = Problem(Problem.GONE, "gone")
+        val bad = List(2) { job("bad", 10, ::hang).also(queue::offer) }
+        repeat(2) { take(begun) }
+        for (job in bad) queue.cancel(job, reason)
+        repeat(2) { assertSame(reason, take(ended).problem) }
+        assertEquals(listOf(2, 0, 20, 0), listOf(queue.hanging, queue.running, queue.taken.toInt(), released.get()))
+
+        queue.offer(job("good", 1) { picture })
+        assertSame(picture, take(ended).picture)
+        queue.giveBack(picture.memory)
+        assertFalse(queue.isStuck)
+        release.countDown()
+        while (queue.hanging > 0) Thread.onSpinWait()
+        while (released.get() < 3) Thread.onSpinWait()
+        assertEquals(0, queue.taken)
+        assertNull(ended.poll())
+    }
+
+    @Test
+    fun aQueueWhoseThreadsAllHangIsStuckUntilOneReturns() = RenderQueue(1, 5, 100, SHORT).use { queue ->
+        val reason = Problem(Problem.GONE, "gone")
+        repeat(2) {
+            val bad = job("bad", 1, ::hang).also(queue::offer)
+            take(begun)
+            assertFalse(queue.isStuck)
+            queue.cancel(bad, reason)
+            assertSame(reason, take(ended).problem)
+        }
+        assertTrue(queue.isStuck && queue.isFull)
+        release.countDown()
+        while (queue.isStuck) Thread.onSpinWait()
+        queue.offer(job("good", 1) { picture })
+        assertSame(picture, take(ended).picture)
+    }
+
+    @Test
+    fun closingDoesNotWaitForThreadsThatHang() {
+        val queue = RenderQueue(1, 1, 100, SHORT)
+        queue.offer(job("bad", 1, ::hang))
+        queue.offer(job("waiting", 1))
+        take(begun)
+        queue.close()
+        repeat(2) { assertEquals(Problem.UNAVAILABLE, take(ended).problem?.status) }
+        assertEquals(1, queue.hanging)
+        release.countDown()
+    }
+
     private fun <T : Any> take(from: LinkedBlockingQueue<T>): T =
-        checkNotNull(from.poll(30, TimeUnit.SECONDS)) { "nothing happens" }
+        checkNotNull(from.poll(300, TimeUnit.SECONDS)) { "nothing happens" }
+
+    private companion object {
+        /** Nothing that must succeed has only this time. */
+        val SHORT: Duration = Duration.ofMillis(20)
+    }
 }

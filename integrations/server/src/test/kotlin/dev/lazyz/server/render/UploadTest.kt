@@ -3,12 +3,19 @@ package dev.lazyz.server.render
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class UploadTest {
     private val budget = MemoryBudget(1 shl 20)
 
-    private fun Upload.add(bytes: ByteArray) = add(bytes.size) { array, at -> bytes.copyInto(array, at) }
+    private fun Upload.add(bytes: ByteArray) {
+        var from = 0
+        add(bytes.size) { array, at, count ->
+            bytes.copyInto(array, at, from, from + count)
+            from += count
+        }
+    }
 
     @Test
     fun bytesArriveInTheirOrder() {
@@ -16,8 +23,9 @@ class UploadTest {
         for (announced in listOf(null, all.size.toLong())) {
             val upload = Upload(announced, 200_000, budget)
             for (start in all.indices step 777) upload.add(all.copyOfRange(start, minOf(start + 777, all.size)))
-            assertArrayEquals(all, upload.complete())
-            assertEquals(all.size.toLong(), budget.used)
+            assertArrayEquals(all, upload.joined())
+            assertArrayEquals(all.copyOf(1 shl 14), upload.start())
+            assertTrue(budget.used in all.size..2 * all.size) { "${budget.used}" }
             repeat(2) { upload.release() }
             assertEquals(0, budget.used)
         }
@@ -38,6 +46,7 @@ class UploadTest {
         assertEquals(413, assertThrows(Problem::class.java) { upload.add(ByteArray(1)) }.status)
         val other = Upload(null, 1 shl 21, budget)
         assertEquals(503, assertThrows(Problem::class.java) { other.add(ByteArray(1 shl 20)) }.status)
+        other.release()
         assertEquals(10, budget.used)
     }
 }

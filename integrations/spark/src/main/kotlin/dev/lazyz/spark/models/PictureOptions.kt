@@ -110,7 +110,6 @@ public class PictureOptions(public val words: String) : Serializable {
     public companion object {
         private const val serialVersionUID = 1L
         private const val USUAL_SIZE = "256"
-        private val HEX = Regex("[0-9a-fA-F]{3,8}")
         private val OUTPUTS = listOf("png", "pixels", "depth")
 
         /** The names of what a camera sees. Without one of them, a scene file is seen from its own camera. */
@@ -118,7 +117,8 @@ public class PictureOptions(public val words: String) : Serializable {
         private val NAMES = listOf("size") + VIEWS +
             listOf("up", "aa", "background", "light", "light-intensity", "format", "output")
 
-        private fun color(text: String) = Rgba.parse(if (HEX.matches(text)) "#$text" else text)
+        private fun color(text: String) =
+            Rgba.parse(if (text.startsWith('#') || text.lowercase() in Rgba.names) text else "#$text")
 
         private fun word(constant: Enum<*>): String = constant.name.lowercase().replace('_', '-')
     }

@@ -59,9 +59,6 @@ internal object GltfJson {
     /** The warnings about the file that the current thread is reading. */
     private val reading = ThreadLocal<CountedWarnings>()
 
-    /** The versions that do not ask for more than 2.0. */
-    private val SUPPORTED = Regex("[01]\\.[0-9]+|2\\.0+")
-
     private const val REMEDY = "correct it or export the model again"
 
     /** The kind of file that contains the JSON. */
@@ -82,7 +79,7 @@ internal object GltfJson {
             source.fail("asset.version", "the version is \"$version\", not 2.0", "export the model as glTF 2.0")
         }
         val least = tree.path("asset").path("minVersion").asText("2.0")
-        if (!SUPPORTED.matches(least)) {
+        if (!isSupported(least)) {
             val problem = "the file needs glTF \"$least\", and 2.0 is supported"
             source.fail("asset.minVersion", problem, "export the model as glTF 2.0")
         }
@@ -100,6 +97,17 @@ internal object GltfJson {
             source.fail(null, "the JSON is not glTF: ${brief(e.message)}", REMEDY, e)
         } finally {
             reading.remove()
+        }
+    }
+
+    /** Whether [version] does not ask for more than 2.0. */
+    private fun isSupported(version: String): Boolean {
+        val minor = version.substringAfter('.', "")
+        if (minor.isEmpty() || !minor.all { it in '0'..'9' }) return false
+        return when (version.substringBefore('.')) {
+            "0", "1" -> true
+            "2" -> minor.all { it == '0' }
+            else -> false
         }
     }
 

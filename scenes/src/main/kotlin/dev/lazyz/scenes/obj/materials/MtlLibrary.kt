@@ -41,10 +41,23 @@ internal class MtlLibrary(private val source: Source) {
     private fun names(reference: String): List<String> {
         val plain = TextLines.uncommented(reference)
         for (whole in listOf(reference, plain)) if (isFile(whole)) return listOf(whole)
-        return plain.split(nameEnd).flatMap { name ->
+        return divided(plain).flatMap { name ->
             val words = TextLines.words(name)
             if (isFile(name) || words.none(::isFile)) listOf(name) else words
         }
+    }
+
+    /** Divides [names] behind each `.mtl` that a space follows. */
+    private fun divided(names: String): List<String> {
+        val parts = ArrayList<String>()
+        var start = 0
+        for (i in names.indices) {
+            val isEnd = names[i].isWhitespace() && names.regionMatches(i - 4, ".mtl", 0, 4, ignoreCase = true)
+            if (!isEnd) continue
+            parts.add(names.substring(start, i).trim())
+            start = i
+        }
+        return parts + names.substring(start).trim()
     }
 
     private fun isFile(name: String): Boolean = source.references.find(name).file != null
@@ -100,8 +113,4 @@ internal class MtlLibrary(private val source: Source) {
         "give it the numbers it needs, with decimal points and spaces between them, or remove it",
         cause,
     )
-
-    private companion object {
-        val nameEnd = Regex("(?<=\\.mtl)\\s+", RegexOption.IGNORE_CASE)
-    }
 }

@@ -55,10 +55,18 @@ internal class PyramidFiles(private val descriptor: Path) {
 
     /** Whether [folder] has nothing but levels of tiles. */
     private fun isPyramid(): Boolean = Files.isDirectory(folder) && all(folder) { level ->
-        LEVEL.matches("${level.fileName}") && Files.isDirectory(level) && all(level) { tile ->
-            TILE.matches("${tile.fileName}") && Files.isRegularFile(tile)
+        "${level.fileName}".let { it.length <= 2 && isNumber(it) } && Files.isDirectory(level) && all(level) { tile ->
+            isTile("${tile.fileName}") && Files.isRegularFile(tile)
         }
     }
+
+    /** Whether [name] has the form `COLUMN_ROW.png`, or the extension of another kind of picture. */
+    private fun isTile(name: String): Boolean {
+        val place = name.substringBefore('.').split('_')
+        return place.size == 2 && place.all(::isNumber) && name.substringAfter('.') in PICTURES
+    }
+
+    private fun isNumber(text: String): Boolean = text.isNotEmpty() && text.all { it in '0'..'9' }
 
     private fun all(folder: Path, test: (Path) -> Boolean): Boolean {
         if (!Files.isReadable(folder)) throw forbidden("read $folder")
@@ -80,8 +88,7 @@ internal class PyramidFiles(private val descriptor: Path) {
 
     companion object {
         private const val ENDING = ".${DeepZoomFiles.EXTENSION}"
-        private val LEVEL = Regex("[0-9]{1,2}")
-        private val TILE = Regex("[0-9]+_[0-9]+\\.(png|jpe?g|webp)")
+        private val PICTURES = setOf("png", "jpg", "jpeg", "webp")
 
         /** Returns the folder of the tiles, which may exist. Links are followed. */
         fun tiles(descriptor: Path): Path = AtomicFile.resolved(place(AtomicFile.resolved(descriptor)))
