@@ -30,6 +30,14 @@ internal class FrameContent private constructor(
      */
     val primitives: List<Primitive> = parts?.primitives() ?: if (batches.isEmpty()) singles else AllPrimitives()
 
+    /**
+     * Makes the objects of the primitives in batches, unless they are there. Passes [checkpoint] for each of them, and
+     * if it ends the work, keeps none.
+     */
+    fun makePrimitives(checkpoint: Checkpoint) {
+        (primitives as? AllPrimitives)?.make(checkpoint)
+    }
+
     /** Returns the single primitive with submission index [index]; there must be one. */
     fun single(index: Int): Primitive =
         singles[if (indices == null) index else java.util.Arrays.binarySearch(indices, index)]
@@ -100,21 +108,30 @@ internal class FrameContent private constructor(
     }
 
     private inner class AllPrimitives : AbstractList<Primitive>() {
-        private val all by lazy {
+        @Volatile
+        private var made: List<Primitive>? = null
+
+        fun make(checkpoint: Checkpoint): List<Primitive> =
+            made ?: synchronized(this) { made ?: all(checkpoint).also { made = it } }
+
+        private fun all(checkpoint: Checkpoint): List<Primitive> {
             val all = ArrayList<Primitive>(this@FrameContent.size)
             var number = 0
             for (batch in batches) {
                 while (all.size < batch.first) all.add(singles[number++])
-                all.addAll(batch.primitives())
+                for (primitive in batch.primitives(checkpoint)) {
+                    checkpoint.pass()
+                    all.add(primitive)
+                }
                 while (number < singles.size && this@FrameContent.index(number) < all.size) number++
             }
             while (number < singles.size) all.add(singles[number++])
-            all
+            return all
         }
 
         override val size: Int get() = this@FrameContent.size
 
-        override fun get(index: Int): Primitive = all[index]
+        override fun get(index: Int): Primitive = make(Checkpoint.NONE)[index]
     }
 
     /** Builds the content of a frame in submission order. Not thread safe. */

@@ -23,6 +23,8 @@ internal interface PrimitiveBatch {
     /** Returns this batch with primitives whose colours are not computed. */
     fun unshaded(): PrimitiveBatch
 
-    /** Returns all primitives of the batch as single primitives. */
-    fun primitives(): Sequence<Primitive>
+    /**
+     * Returns all primitives of the batch as single primitives. Passes [checkpoint] while it prepares for the first.
+     */
+    fun primitives(checkpoint: Checkpoint): Sequence<Primitive>
 }

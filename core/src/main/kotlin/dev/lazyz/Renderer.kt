@@ -35,9 +35,9 @@ public interface Renderer {
      *
      * @return the work that the rendering took
      * @throws IllegalArgumentException if the frame has translucent primitives and the renderer does not blend
-     * @throws InterruptedException if the calling thread is interrupted, and the renderer checks for it. Others finish
-     *   the image, and the interrupt status stays set. The table in `docs/guides/servlet.md` says which built-in
-     *   renderer checks how often
+     * @throws InterruptedException if the calling thread is interrupted. The built-in renderers then end after at most
+     *   100 ms of processor time, plus that of the call of a primitive, a shader, a selector or the sink in progress.
+     *   Another renderer may also finish the image; the interrupt status then stays set
      * @throws IOException if the sink throws it
      */
     @Throws(InterruptedException::class, IOException::class)

@@ -31,7 +31,9 @@ public interface Drawing {
      * @throws IllegalArgumentException if the primitive is translucent and the renderer does not blend; the image can
      *   be continued without it
      * @throws IllegalStateException if the image has ended, or already has 2^31-1 primitives
+     * @throws InterruptedException as [Renderer.render]; it ends the image
      */
+    @Throws(InterruptedException::class)
     public fun add(primitive: Primitive)
 
     /**
@@ -39,9 +41,10 @@ public interface Drawing {
      *
      * @return the work that the image took
      * @throws IllegalStateException if the image has already ended
+     * @throws InterruptedException as [Renderer.render]
      * @throws IOException if the sink throws it
      */
-    @Throws(IOException::class)
+    @Throws(InterruptedException::class, IOException::class)
     public fun finish(sink: RowSink): Counters
 }
 

@@ -23,36 +23,57 @@ import kotlin.concurrent.withLock
 internal class Workers(val threads: Int, val executor: Executor) {
     /**
      * Calls [action] for each number in 0 until [count], on several threads if there are several numbers. If a call
-     * throws, those that have not begun are skipped, and the first exception is thrown to the caller.
+     * throws, those that have not begun are skipped, those that run on other threads end at their next checkpoint, and
+     * the first exception is thrown to the caller.
+     *
+     * @param checkpoint ends the work of all threads when it ends that of the calling thread. It is passed before each
+     *   call there, and when the calling thread is interrupted while it waits for the others
+     * @param action gets the checkpoint of its thread, for calls that take long
      */
-    fun forEach(count: Int, action: (number: Int) -> Unit) {
+    fun forEach(count: Int, checkpoint: Checkpoint, action: (number: Int, checkpoint: Checkpoint) -> Unit) {
         val helperCount = minOf(threads, count) - 1
-        if (helperCount < 1) return repeat(count, action)
         val loop = SharedLoop(count, action)
         val helpers = Helpers(executor)
         try {
-            repeat(helperCount) { helpers.start(loop::takePart) }
-            loop.takePart()
+            repeat(helperCount) { helpers.start { loop.takePart(loop) } }
+            loop.takePart(checkpoint)
+            if (loop.failure.get() == null) loop.run { helpers.await(checkpoint) }
         } finally {
-            helpers.end(interrupt = false)
+            helpers.end(interrupt = loop.failure.get() != null)
         }
         loop.failure.get()?.let { throw it }
     }
 
-    /** Numbers that several threads take one by one. */
-    private class SharedLoop(private val count: Int, private val action: (number: Int) -> Unit) {
+    /** Numbers that several threads take one by one. Itself the checkpoint of the other threads. */
+    private class SharedLoop(
+        private val count: Int,
+        private val action: (number: Int, checkpoint: Checkpoint) -> Unit,
+    ) : Checkpoint {
         private val next = AtomicInteger()
         val failure = AtomicReference<Throwable>()
 
-        fun takePart() {
+        override fun pass() {
+            failure.get()?.let { throw it }
+        }
+
+        fun takePart(checkpoint: Checkpoint) = run {
+            while (failure.get() == null) {
+                val number = next.getAndIncrement()
+                if (number >= count) return
+                checkpoint.pass()
+                action(number, checkpoint)
+            }
+        }
+
+        /** Keeps what [work] throws, if it is the first failure. */
+        inline fun run(work: () -> Unit) {
             try {
-                while (failure.get() == null) {
-                    val number = next.getAndIncrement()
-                    if (number >= count) return
-                    action(number)
-                }
+                work()
             } catch (e: Throwable) {
-                failure.compareAndSet(null, e)
+                val isFirst = failure.compareAndSet(null, e)
+
+                // Another exception is thrown in place of this one, which must not hide an interrupt
+                if (!isFirst && e is InterruptedException && failure.get() !== e) Thread.currentThread().interrupt()
             }
         }
     }
@@ -61,11 +82,6 @@ internal class Workers(val threads: Int, val executor: Executor) {
         /** As many threads as there are processors, from the library's own pool. */
         val ALL = Workers(Runtime.getRuntime().availableProcessors(), LibraryThreads)
     }
-}
-
-/** Ends the rendering of this thread if it is interrupted: throws InterruptedException, and clears the status. */
-internal fun endIfInterrupted() {
-    if (Thread.interrupted()) throw InterruptedException("interrupted while rendering")
 }
 
 /**
@@ -88,6 +104,19 @@ internal class Helpers(private val executor: Executor) {
             // The calling thread does the work
         } catch (_: OutOfMemoryError) {
             // So it does if no thread can be created
+        }
+    }
+
+    /**
+     * Waits until no helper works. If the calling thread is interrupted, passes [checkpoint], and returns at once; the
+     * status stays set.
+     */
+    fun await(checkpoint: Checkpoint) {
+        try {
+            for (helper in helpers) helper.awaitEnd()
+        } catch (_: InterruptedException) {
+            caller.interrupt()
+            checkpoint.pass()
         }
     }
 

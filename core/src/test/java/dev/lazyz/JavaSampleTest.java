@@ -48,7 +48,7 @@ class JavaSampleTest {
     }
 
     @Test
-    void aTranslucentPrimitiveIsMadeOpaque() {
+    void aTranslucentPrimitiveIsMadeOpaque() throws InterruptedException {
         Material glass = new Material(Rgba.WHITE.withAlpha(0.5f)).withAlphaMode(AlphaMode.BLEND);
         Mesh mesh = new Mesh(new float[] {-1, -1, 0, 1, -1, 0, 0, 1, 0}, new int[] {0, 1, 2}, glass);
         Primitive triangle = new Scene(List.of(mesh), List.of(), Camera.fit(0, 0))
@@ -110,7 +110,7 @@ class JavaSampleTest {
     }
 
     @Test
-    void primitivesArriveOneByOne() throws IOException {
+    void primitivesArriveOneByOne() throws InterruptedException, IOException {
         Primitive square = new FrameBuilder(new Raster(5, 3))
                 .polygon(Rgba.BLACK, new double[] {1, 1, 0, 3, 1, 0, 3, 2, 0, 1, 2, 0})
                 .build()

@@ -7,6 +7,7 @@ import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Mesh
 import java.lang.ref.WeakReference
 import java.util.Collections
+import java.util.concurrent.CompletableFuture
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.CyclicBarrier
 import java.util.concurrent.Executor
@@ -37,7 +38,7 @@ class WorkersTest {
     fun eachNumberIsTakenOnceWithAnyExecutor() {
         for ((name, executor) in executors) {
             val taken = Collections.synchronizedList(ArrayList<Int>())
-            Workers(4, executor).forEach(100) { taken += it }
+            Workers(4, executor).forEach(100, Checkpoint.NONE) { number, _ -> taken += number }
             assertEquals((0 until 100).toList(), taken.sorted(), name)
         }
     }
@@ -46,14 +47,14 @@ class WorkersTest {
     fun severalThreadsTakePart() {
         // Each number waits for the others
         val barrier = CyclicBarrier(4)
-        Workers(4, LibraryThreads).forEach(4) { barrier.await() }
+        Workers(4, LibraryThreads).forEach(4, Checkpoint.NONE) { _, _ -> barrier.await() }
     }
 
     @Test
     fun oneThreadIsTheCallingThread() {
         val none = Executor { throw AssertionError("no other thread is permitted") }
         val threads = HashSet<Thread>()
-        Workers(1, none).forEach(10) { threads += Thread.currentThread() }
+        Workers(1, none).forEach(10, Checkpoint.NONE) { _, _ -> threads += Thread.currentThread() }
         assertEquals(setOf(Thread.currentThread()), threads)
     }
 
@@ -63,8 +64,8 @@ class WorkersTest {
             val planted = StackOverflowError(name)
             val after = AtomicInteger()
             val thrown = assertThrows(StackOverflowError::class.java) {
-                Workers(2, executor).forEach(100_000) {
-                    if (it == 3) throw planted
+                Workers(2, executor).forEach(100_000, Checkpoint.NONE) { number, _ ->
+                    if (number == 3) throw planted
                     after.incrementAndGet()
                 }
             }
@@ -85,7 +86,7 @@ class WorkersTest {
                 throw failure
             }
             val run = {
-                Workers(2, executor).forEach(2) {
+                Workers(2, executor).forEach(2, Checkpoint.NONE) { _, _ ->
                     if (Thread.currentThread() !== caller) {
                         working.incrementAndGet()
                         begun.countDown()
@@ -108,11 +109,57 @@ class WorkersTest {
         }
     }
 
+    /** The calling thread waits for a call that only a checkpoint ends. */
+    @Test
+    fun anInterruptOfTheWaitingCallerEndsTheCallsOfOtherThreads() {
+        val caller = Thread.currentThread()
+        val hasBegun = CountDownLatch(1)
+        val working = AtomicInteger()
+        assertThrows(InterruptedException::class.java) {
+            Workers(2, LibraryThreads).forEach(2, Checkpoint.CALLER) { _, checkpoint ->
+                if (Thread.currentThread() === caller) return@forEach hasBegun.await()
+                working.incrementAndGet()
+                hasBegun.countDown()
+                try {
+                    while (caller.state != Thread.State.WAITING) checkpoint.pass()
+                    caller.interrupt()
+                    while (true) checkpoint.pass()
+                } finally {
+                    working.decrementAndGet()
+                }
+            }
+        }
+        assertFalse(Thread.interrupted(), "the status is cleared")
+        assertEquals(0, working.get())
+    }
+
+    @Test
+    fun anInterruptIsKeptIfAnotherExceptionIsThrown() {
+        val planted = IllegalStateException()
+        val caller = Thread.currentThread()
+        val helper = CompletableFuture<Thread>()
+        val thrown = assertThrows(IllegalStateException::class.java) {
+            Workers(2, LibraryThreads).forEach(2, Checkpoint.CALLER) { _, checkpoint ->
+                if (Thread.currentThread() !== caller) {
+                    helper.complete(Thread.currentThread())
+                    throw planted
+                }
+
+                // Until the other thread has failed, and waits for more work
+                while (helper.get().state != Thread.State.TIMED_WAITING) Thread.onSpinWait()
+                caller.interrupt()
+                checkpoint.pass()
+            }
+        }
+        assertSame(planted, thrown)
+        assertTrue(Thread.interrupted(), "the status is kept")
+    }
+
     @Test
     fun aTaskThatRunsLateDoesNothing() {
         val tasks = ArrayList<Runnable>()
         val calls = AtomicInteger()
-        Workers(3, tasks::add).forEach(5) { calls.incrementAndGet() }
+        Workers(3, tasks::add).forEach(5, Checkpoint.NONE) { _, _ -> calls.incrementAndGet() }
         assertEquals(2, tasks.size)
         tasks.forEach { task -> Thread(task).apply { start() }.join() }
         assertEquals(5, calls.get())
@@ -131,7 +178,7 @@ class WorkersTest {
 
     private fun usedByTasks(tasks: MutableList<Runnable>): WeakReference<ByteArray> {
         val data = ByteArray(1 shl 20)
-        Workers(2, tasks::add).forEach(2) { data[it] = 1 }
+        Workers(2, tasks::add).forEach(2, Checkpoint.NONE) { number, _ -> data[number] = 1 }
         return WeakReference(data)
     }
 
@@ -157,7 +204,7 @@ class WorkersTest {
     @Test
     fun anInterruptOfTheCallerStaysSet() {
         Thread.currentThread().interrupt()
-        Workers(4, LibraryThreads).forEach(100) { Thread.onSpinWait() }
+        Workers(4, LibraryThreads).forEach(100, Checkpoint.NONE) { _, _ -> Thread.onSpinWait() }
         assertTrue(Thread.interrupted())
     }
 

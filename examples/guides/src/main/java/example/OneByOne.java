@@ -41,7 +41,8 @@ public class OneByOne {
     }
 
     /** Draws a disc for each line of a text: column, row, radius and depth. */
-    public static Counters draw(BufferedReader lines, Raster raster, RowSink sink) throws IOException {
+    public static Counters draw(BufferedReader lines, Raster raster, RowSink sink)
+            throws InterruptedException, IOException {
         StreamingRenderer renderer = new Hybrid();
         Drawing drawing = renderer.begin(raster);
         for (String line = lines.readLine(); line != null; line = lines.readLine()) {

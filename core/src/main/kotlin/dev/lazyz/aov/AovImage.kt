@@ -12,6 +12,7 @@ import org.joml.Vector3d
  * @property region the pixels
  * @property lowest the number that formats of limited range show as 0: the near plane for [Aov.DEPTH]
  * @property highest the number that they show as their maximum: the far plane for [Aov.DEPTH]
+ * @property samplesPerPixel number of samples of a pixel, over which counts are sums; at least 1
  */
 public class AovImage private constructor(
     public val aov: Aov,
@@ -20,8 +21,10 @@ public class AovImage private constructor(
     public val highest: Double,
     private val reals: FloatArray,
     private val integers: IntArray,
+    public val samplesPerPixel: Int,
 ) {
     init {
+        require(samplesPerPixel >= 1) { "samplesPerPixel must be at least 1: $samplesPerPixel" }
         val size = region.size * aov.channels.size
         val found = if (aov.isInteger) integers.size else reals.size
         require(found.toLong() == size) { "'${aov.id}' of $region needs $size numbers: $found" }
@@ -33,17 +36,19 @@ public class AovImage private constructor(
      * @throws IllegalArgumentException if [aov] has integers, or [floats] has not the right size
      */
     public constructor(aov: Aov, region: Region, floats: FloatArray, lowest: Double, highest: Double) :
-        this(aov, region, lowest, highest, floats, IntArray(0)) {
+        this(aov, region, lowest, highest, floats, IntArray(0), 1) {
         require(!aov.isInteger) { "'${aov.id}' has integers" }
     }
 
     /**
      * Creates an image of an AOV whose numbers are integers.
      *
-     * @throws IllegalArgumentException if [aov] has no integers, or [ints] has not the right size
+     * @throws IllegalArgumentException if [aov] has no integers, [ints] has not the right size, or [samplesPerPixel]
+     *   is below 1
      */
-    public constructor(aov: Aov, region: Region, ints: IntArray) :
-        this(aov, region, aov.background, Int.MAX_VALUE.toDouble(), FloatArray(0), ints) {
+    @JvmOverloads
+    public constructor(aov: Aov, region: Region, ints: IntArray, samplesPerPixel: Int = 1) :
+        this(aov, region, aov.background, Int.MAX_VALUE.toDouble(), FloatArray(0), ints, samplesPerPixel) {
         require(aov.isInteger) { "'${aov.id}' has no integers" }
     }
 

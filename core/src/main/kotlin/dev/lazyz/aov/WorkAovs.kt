@@ -4,6 +4,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.Renderer
 import dev.lazyz.ShadingObserver
 import dev.lazyz.Spans
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.filter.SampledFrame
 import java.util.concurrent.atomic.AtomicIntegerArray
 
@@ -14,11 +15,13 @@ internal object WorkAovs {
         val counts = IntArray(Math.toIntExact(sampled.pixels.size))
         val spans = Spans()
         sampled.frame.content.forEachDrawn { primitive ->
-            if (Thread.interrupted()) throw InterruptedException("interrupted while overdraw was counted")
+            endIfInterrupted()
             addFragments(sampled, primitive, spans, counts)
         }
-        return AovImage(Aov.OVERDRAW, sampled.pixels, counts)
+        return AovImage(Aov.OVERDRAW, sampled.pixels, counts, samplesPerPixel(sampled))
     }
+
+    private fun samplesPerPixel(sampled: SampledFrame) = sampled.sampling.factor * sampled.sampling.factor
 
     private fun addFragments(sampled: SampledFrame, primitive: Primitive, spans: Spans, counts: IntArray) {
         val pixels = sampled.pixels
@@ -58,6 +61,6 @@ internal object WorkAovs {
             }
         }
         sampled.observed(observer).render(renderer) { _, _, _, _ -> }
-        return AovImage(Aov.SHADING_CALLS, pixels, IntArray(counts.length()) { counts[it] })
+        return AovImage(Aov.SHADING_CALLS, pixels, IntArray(counts.length()) { counts[it] }, samplesPerPixel(sampled))
     }
 }

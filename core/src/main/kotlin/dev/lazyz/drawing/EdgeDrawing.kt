@@ -1,5 +1,6 @@
 package dev.lazyz.drawing
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Primitive
 import dev.lazyz.drawing.strokes.Crumbs
 import dev.lazyz.drawing.strokes.Dashes
@@ -42,7 +43,8 @@ import java.util.function.UnaryOperator
  * @property style how the edges are drawn
  */
 public class EdgeDrawing(private val surfaces: List<Surface>, public val style: EdgeStyle) : Surface {
-    private val model by lazy { EdgeModel(surfaces, style.creaseAngle) }
+    @Volatile
+    private var model: EdgeModel? = null
 
     /** The width of visible lines as they are drawn, samples; the unit of all lengths below. */
     private val width = maxOf(style.width, 1.0)
@@ -53,16 +55,18 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = sequence {
         val viewport = Viewport(setUp.raster)
         val depth = viewport.depthOfUnit(0.0)
-        val view = view(setUp)
+        val checkpoint = setUp.checkpoint
+        val model = model(checkpoint)
+        val view = view(model, setUp)
         view.divide(style.edges, style.hidden != HiddenLines.NONE)
 
         // The first submitted wins where visible and hidden lines cross
         val pen = Pen(setUp.raster, style.color, depth, width)
-        for (line in lines(view.visible)) yieldAll(pen.strokes(line))
+        for (line in lines(view.visible, model, checkpoint)) yieldAll(pen.strokes(line))
         if (style.hidden == HiddenLines.NONE) return@sequence
-        val thinPen = Pen(setUp.raster, style.color, depth, width * EdgeStyle.HIDDEN_SHARE)
+        val thinPen = Pen(setUp.raster, style.hiddenColor, depth, width * EdgeStyle.HIDDEN_SHARE)
         val dashes = Dashes(DASH * width, GAP * width)
-        for (line in lines(view.hidden)) {
+        for (line in lines(view.hidden, model, checkpoint)) {
             if (style.hidden == HiddenLines.SOLID) {
                 yieldAll(thinPen.strokes(line))
             } else {
@@ -73,19 +77,26 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
         }
     }
 
-    private fun view(setUp: SetUp): EdgeView {
+    /** Returns the edges, which are found once. */
+    private fun model(checkpoint: Checkpoint): EdgeModel = model ?: synchronized(this) {
+        model ?: EdgeModel(surfaces, style.creaseAngle, checkpoint).also { model = it }
+    }
+
+    private fun view(model: EdgeModel, setUp: SetUp): EdgeView {
         val camera = setUp.camera.relativeTo(model.origin)
         val size = surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union)?.let {
             maxOf(it.maxX - it.minX, it.maxY - it.minY, it.maxZ - it.minZ)
         }
         val margin = width / 2 + 2.0
         val space = ViewSpace(setUp.raster, camera)
-        return EdgeView(model, Facing(model, camera), space, (size ?: 0.0) * TOLERANCE, margin, setUp.workers)
+        val facing = Facing(model, camera, setUp.checkpoint)
+        val tolerance = (size ?: 0.0) * TOLERANCE
+        return EdgeView(model, facing, space, tolerance, margin, setUp.workers, setUp.checkpoint)
     }
 
-    private fun lines(pieces: Pieces): List<DoubleArray> {
+    private fun lines(pieces: Pieces, model: EdgeModel, checkpoint: Checkpoint): List<DoubleArray> {
         val lines = ArrayList<DoubleArray>()
-        val whole = Crumbs(pieces, model.pointCount, CRUMB * width, NEAR * width).removed()
+        val whole = Crumbs(pieces, model.pointCount, CRUMB * width, NEAR * width, checkpoint).removed()
         Polylines(whole, model.pointCount).forEach { lines += it }
         return lines
     }

@@ -1,5 +1,6 @@
 package dev.lazyz.drawing
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.world.material.AlphaMode
@@ -14,9 +15,10 @@ import org.joml.Vector3dc
  * surfaces together, so that a model whose parts have different materials has no seams. Faces are numbered, too: first
  * the triangles, then the polygons. Immutable and thread safe.
  *
- * Cost: linear in the number of triangles; about 80 bytes a triangle.
+ * Cost: linear in the number of triangles; about 80 bytes a triangle. Passes [checkpoint] for
+ * each vertex, triangle and edge.
  */
-internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
+internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double, checkpoint: Checkpoint) {
     private val meshes = surfaces.filterIsInstance<Mesh>()
     private val flats = surfaces.filterIsInstance<Polygon>()
 
@@ -64,8 +66,12 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
         var count = 0
         for (mesh in meshes) {
             val p = mesh.relativeTo(origin).positions
-            val pointOf = IntArray(mesh.vertexCount) { add(distinct, p[3 * it], p[3 * it + 1], p[3 * it + 2]) }
+            val pointOf = IntArray(mesh.vertexCount) {
+                checkpoint.pass()
+                add(distinct, p[3 * it], p[3 * it + 1], p[3 * it + 2])
+            }
             for (i in mesh.triangles.indices step 3) {
+                checkpoint.pass()
                 val a = pointOf[mesh.triangles[i]]
                 val b = pointOf[mesh.triangles[i + 1]]
                 val c = pointOf[mesh.triangles[i + 2]]
@@ -110,6 +116,7 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
         firstFace = IntArray(3 * count / 2 + 16)
         secondFace = IntArray(3 * count / 2 + 16)
         for (face in 0 until count) {
+            checkpoint.pass()
             for (k in 0 until 3) addEdge(corners[3 * face + k], corners[3 * face + (k + 1) % 3], face)
         }
         for ((i, polygon) in polygons.withIndex()) {
@@ -118,7 +125,10 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double) {
             }
         }
         val cosine = StrictMath.cos(creaseAngle * (StrictMath.PI / 180.0))
-        features = BooleanArray(edges.size) { secondFace[it] < 0 || isCrease(it, cosine) }
+        features = BooleanArray(edges.size) {
+            checkpoint.pass()
+            secondFace[it] < 0 || isCrease(it, cosine)
+        }
     }
 
     /** Returns the number of a point, or -1 if a coordinate is NaN or infinite. */

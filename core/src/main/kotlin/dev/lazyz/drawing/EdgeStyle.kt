@@ -15,9 +15,10 @@ import dev.lazyz.world.surface.Points
  * @property creaseAngle see [FeatureEdges]; degrees, 0..180
  * @property width width of visible lines, pixels, above 0 and at most [Points.MAX_SIZE]; widths below one sample count
  *   as one sample. Hidden lines have [HIDDEN_SHARE] of this width
- * @property color colour of the lines; must be opaque
+ * @property color colour of visible lines; must be opaque
  * @property hidden what happens to hidden lines
- * @throws IllegalArgumentException if [creaseAngle] or [width] is out of range, or the alpha of [color] is not 1
+ * @property hiddenColor colour of hidden lines; must be opaque. Default: [HIDDEN_GREY]
+ * @throws IllegalArgumentException if [creaseAngle] or [width] is out of range, or the alpha of a colour is not 1
  */
 public class EdgeStyle @JvmOverloads constructor(
     public val edges: EdgeSet = EdgeSet.FEATURES,
@@ -25,6 +26,7 @@ public class EdgeStyle @JvmOverloads constructor(
     public val width: Double = 1.0,
     public val color: Rgba = Rgba.BLACK,
     public val hidden: HiddenLines = HiddenLines.NONE,
+    public val hiddenColor: Rgba = HIDDEN_GREY,
 ) {
     init {
         require(creaseAngle in 0.0..180.0) { "creaseAngle must be in 0..180 degrees: $creaseAngle" }
@@ -32,22 +34,35 @@ public class EdgeStyle @JvmOverloads constructor(
             "width must be above 0 and at most ${Points.MAX_SIZE} pixels: $width"
         }
         require(color.alpha == 1f) { "color must be opaque: $color" }
+        require(hiddenColor.alpha == 1f) { "hiddenColor must be opaque: $hiddenColor" }
     }
 
     /** Returns this style for other [edges]. */
-    public fun withEdges(edges: EdgeSet): EdgeStyle = EdgeStyle(edges, creaseAngle, width, color, hidden)
+    public fun withEdges(edges: EdgeSet): EdgeStyle = copy(edges = edges)
 
     /** Returns this style with another angle of creases, degrees, 0..180. */
-    public fun withCreaseAngle(creaseAngle: Double): EdgeStyle = EdgeStyle(edges, creaseAngle, width, color, hidden)
+    public fun withCreaseAngle(creaseAngle: Double): EdgeStyle = copy(creaseAngle = creaseAngle)
 
     /** Returns this style with another width, pixels. */
-    public fun withWidth(width: Double): EdgeStyle = EdgeStyle(edges, creaseAngle, width, color, hidden)
+    public fun withWidth(width: Double): EdgeStyle = copy(width = width)
 
-    /** Returns this style with another colour, which must be opaque. */
-    public fun withColor(color: Rgba): EdgeStyle = EdgeStyle(edges, creaseAngle, width, color, hidden)
+    /** Returns this style with another colour of visible lines, which must be opaque. */
+    public fun withColor(color: Rgba): EdgeStyle = copy(color = color)
 
     /** Returns this style with other [hidden] lines. */
-    public fun withHidden(hidden: HiddenLines): EdgeStyle = EdgeStyle(edges, creaseAngle, width, color, hidden)
+    public fun withHidden(hidden: HiddenLines): EdgeStyle = copy(hidden = hidden)
+
+    /** Returns this style with another colour of [hidden] lines, which must be opaque. */
+    public fun withHiddenColor(hiddenColor: Rgba): EdgeStyle = copy(hiddenColor = hiddenColor)
+
+    private fun copy(
+        edges: EdgeSet = this.edges,
+        creaseAngle: Double = this.creaseAngle,
+        width: Double = this.width,
+        color: Rgba = this.color,
+        hidden: HiddenLines = this.hidden,
+        hiddenColor: Rgba = this.hiddenColor,
+    ): EdgeStyle = EdgeStyle(edges, creaseAngle, width, color, hidden, hiddenColor)
 
     /** Returns [scene] with its edges drawn: the same scene and, as its last surface, an [EdgeDrawing]. */
     public fun drawnOn(scene: Scene): Scene =
@@ -58,5 +73,9 @@ public class EdgeStyle @JvmOverloads constructor(
     public companion object {
         /** Width of hidden lines, as a part of the width of visible lines. */
         public const val HIDDEN_SHARE: Double = 0.6
+
+        /** The colour of hidden lines if the caller does not choose: grey, sRGB `#a0a0a0`. */
+        @JvmField
+        public val HIDDEN_GREY: Rgba = Rgba.ofRgb(0xA0A0A0)
     }
 }

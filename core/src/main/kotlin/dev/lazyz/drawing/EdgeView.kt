@@ -1,5 +1,6 @@
 package dev.lazyz.drawing
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Workers
 import dev.lazyz.drawing.strokes.Pieces
 
@@ -8,6 +9,7 @@ import dev.lazyz.drawing.strokes.Pieces
  * safe, but uses the threads of [workers]. The result does not depend on them.
  *
  * @param tolerance see [HiddenParts], world units
+ * @param checkpoint that of the calling thread, passed for each point and edge
  * @param margin how far outside the raster a line can be and still cover a part of it, pixels
  */
 internal class EdgeView(
@@ -17,6 +19,7 @@ internal class EdgeView(
     private val tolerance: Double,
     private val margin: Double,
     private val workers: Workers,
+    private val checkpoint: Checkpoint,
 ) {
     private val places = DoubleArray(4 * model.pointCount)
     private val grid: FaceGrid
@@ -33,13 +36,14 @@ internal class EdgeView(
     init {
         val p = model.points
         for (point in 0 until model.pointCount) {
+            checkpoint.pass()
             val at = 3 * point
             space.place(p[at].toDouble(), p[at + 1].toDouble(), p[at + 2].toDouble(), places, 4 * point)
         }
         polygons = model.polygons.mapIndexed { i, polygon ->
             if (facing.isHiding(model.triangleCount + i)) HidingPolygon.of(polygon, places, space) else null
         }
-        grid = FaceGrid(space, model, facing, places, polygons, margin)
+        grid = FaceGrid(space, model, facing, places, polygons, margin, checkpoint)
     }
 
     /**
@@ -51,8 +55,11 @@ internal class EdgeView(
     fun divide(edges: EdgeSet, hasHidden: Boolean) {
         val drawn = (0 until model.edgeCount).filter { isIn(edges, it) && (hasHidden || facing.isDrawn(it)) }
         val chunks = List((drawn.size + CHUNK - 1) / CHUNK) { Chunk(edges == EdgeSet.ALL) }
-        workers.forEach(chunks.size) { number ->
-            for (i in number * CHUNK until minOf((number + 1) * CHUNK, drawn.size)) chunks[number].divide(drawn[i])
+        workers.forEach(chunks.size, checkpoint) { number, own ->
+            for (i in number * CHUNK until minOf((number + 1) * CHUNK, drawn.size)) {
+                own.pass()
+                chunks[number].divide(drawn[i])
+            }
         }
         for (chunk in chunks) {
             visible.addAll(chunk.visible)

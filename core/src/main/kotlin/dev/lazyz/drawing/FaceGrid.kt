@@ -1,5 +1,7 @@
 package dev.lazyz.drawing
 
+import dev.lazyz.Checkpoint
+
 /**
  * The faces that can hide something, by their place on the raster: a pyramid of grids, each with twice as many cells a
  * side as the one before. A face is in the finest grid of which a cell is at least as large as the face, so it is in at
@@ -7,6 +9,7 @@ package dev.lazyz.drawing
  *
  * @param places four numbers for each point, see [ViewSpace.place]
  * @param polygons by polygon of the model: what it hides with; null if it hides nothing
+ * @param checkpoint passed for each face while the grid is made
  * @param margin how far the grid extends beyond the raster, pixels
  */
 internal class FaceGrid(
@@ -16,6 +19,7 @@ internal class FaceGrid(
     private val places: DoubleArray,
     private val polygons: List<HidingPolygon?>,
     margin: Double,
+    private val checkpoint: Checkpoint,
 ) {
     private val left = -margin
     private val top = -margin
@@ -49,6 +53,7 @@ internal class FaceGrid(
 
     private inline fun forEachCell(facing: Facing, extent: Extent, action: (cell: Int, face: Int) -> Unit) {
         for (face in 0 until model.faceCount) {
+            checkpoint.pass()
             if (!facing.isHiding(face) || !measure(face, extent)) continue
             val size = maxOf(extent.x1 - extent.x0, extent.y1 - extent.y0)
             var level = 0

@@ -1,10 +1,14 @@
 package dev.lazyz.drawing
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 
-/** Which faces of [model] show their front to [camera], which is relative to the model's origin. Immutable. */
-internal class Facing(private val model: EdgeModel, camera: Camera) {
+/**
+ * Which faces of [model] show their front to [camera], which is relative to the model's origin. Passes [checkpoint] for
+ * each face. Immutable.
+ */
+internal class Facing(private val model: EdgeModel, camera: Camera, checkpoint: Checkpoint) {
     private val fronts = BooleanArray(model.faceCount)
 
     /** Faces without a normal. */
@@ -16,6 +20,7 @@ internal class Facing(private val model: EdgeModel, camera: Camera) {
         val eye = camera.eye
         val normal = DoubleArray(3)
         for (face in fronts.indices) {
+            checkpoint.pass()
             val at = 3 * (model.corner(face) ?: continue)
             model.normal(face, normal)
             val p = model.points

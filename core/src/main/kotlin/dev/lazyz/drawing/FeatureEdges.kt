@@ -1,5 +1,6 @@
 package dev.lazyz.drawing
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.world.Camera
 import dev.lazyz.world.surface.Lines
@@ -32,8 +33,8 @@ public class FeatureEdges @JvmOverloads constructor(public val creaseAngle: Doub
      */
     @JvmOverloads
     public fun of(mesh: Mesh, camera: Camera? = null): Lines {
-        val model = EdgeModel(listOf(mesh), creaseAngle)
-        val facing = camera?.let { Facing(model, it.relativeTo(model.origin)) }
+        val model = EdgeModel(listOf(mesh), creaseAngle, Checkpoint.NONE)
+        val facing = camera?.let { Facing(model, it.relativeTo(model.origin), Checkpoint.NONE) }
         val found = (0 until model.edgeCount).filter { model.isFeature(it) || facing?.isSilhouette(it) == true }
         val segments = IntArray(2 * found.size) { model.end(found[it / 2], it % 2) }
         return Lines(model.points, segments, origin = Vectors.minus(model.origin, Vectors.ZERO))

@@ -51,8 +51,10 @@ public class SuperSampling @JvmOverloads constructor(
      *
      * @param options the threads of set-up, see [Scene.frame]
      * @throws IllegalArgumentException if there is an [obstacle]
+     * @throws InterruptedException as [Scene.frame]
      */
     @JvmOverloads
+    @Throws(InterruptedException::class)
     public fun frame(scene: Scene, pixels: Raster, options: RenderOptions = RenderOptions()): SampledFrame {
         if (factor == 1) return of(scene.frame(pixels, options))
         obstacle(scene, pixels)?.let { throw IllegalArgumentException(it) }

@@ -21,8 +21,8 @@ import org.joml.Vector3dc
  *
  * ```
  * val shadow = GroundShadow.of(scene)
- * val camera = shadow.camera(scene.camera(640, 480))
- * val picture = scene.withSurfaces(scene.surfaces + shadow).withViewpoint(camera)
+ * val picture = scene.withSurfaces(scene.surfaces + shadow)
+ *     .withViewpoint { all, aspect -> shadow.camera(scene.viewpoint.camera(all, aspect)) }
  * ```
  *
  * The shadow is blended with the background of the raster, so it needs no renderer that blends. In front of a

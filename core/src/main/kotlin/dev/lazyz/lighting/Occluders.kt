@@ -1,5 +1,6 @@
 package dev.lazyz.lighting
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
@@ -57,8 +58,8 @@ internal class Occluders(scene: Scene) {
         val maps = directions.map { DistanceMap(it, box.center, origin, radius, size) }
         val alone = RenderOptions(threads = 1)
         val caller = Thread.currentThread()
-        options.workers.forEach(maps.size) { number ->
-            val image = undisturbed(caller) {
+        options.workers.forEach(maps.size, Checkpoint.CALLER) { number, checkpoint ->
+            val image = undisturbed(caller, checkpoint) {
                 val frame = scene.withViewpoint(maps[number].camera()).frame(Raster(size, size), alone)
                 Tiled(alone).render(frame.unshaded())
             }
@@ -69,7 +70,7 @@ internal class Occluders(scene: Scene) {
     }
 
     /** Returns the result of [render]. Only an interrupt of the [caller] ends it; that of another thread stays set. */
-    private inline fun undisturbed(caller: Thread, render: () -> Image): Image {
+    private inline fun undisturbed(caller: Thread, checkpoint: Checkpoint, render: () -> Image): Image {
         var interrupts = 0
         try {
             while (true) {
@@ -78,6 +79,9 @@ internal class Occluders(scene: Scene) {
                 } catch (e: InterruptedException) {
                     // A custom surface may throw it, too, each time
                     if (Thread.currentThread() === caller || ++interrupts == MOST_INTERRUPTS) throw e
+
+                    // After an interrupt of the caller, the other threads end, too
+                    checkpoint.pass()
                 }
             }
         } finally {

@@ -1,9 +1,12 @@
 package dev.lazyz.pipeline
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Coherence
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Spans
+import dev.lazyz.raster.byFirstRow
+import dev.lazyz.raster.forEachPrimitive
 import dev.lazyz.raster.reaches
 import dev.lazyz.shading.LateShading
 
@@ -23,6 +26,7 @@ import dev.lazyz.shading.LateShading
  *
  * Used by one thread.
  *
+ * @param checkpoint passed for each primitive, also while they are sorted
  * @param stage creates the stage of a primitive from the frame, the primitive's index, the first row that the stage
  *   will receive, and scratch memory for spans
  * @param budget most bytes to hold in addition to what a frame without primitives takes, or null for no limit
@@ -30,6 +34,7 @@ import dev.lazyz.shading.LateShading
 internal class Chain(
     private val frame: Frame,
     coherence: Coherence,
+    private val checkpoint: Checkpoint,
     private val stage: (Frame, Int, Int, Spans) -> Stage,
     private val budget: Long? = null,
 ) {
@@ -85,6 +90,7 @@ internal class Chain(
         val before = size
         while (entered < entries.size && (entries[entered] ushr 32).toInt() <= y) entered++
         for (i in settled until entered) {
+            checkpoint.pass()
             if (entries[i] < 0) continue
             val index = entries[i].toInt()
             val hasEnded = frame.primitives[index].rowEnd <= y
@@ -124,9 +130,10 @@ internal class Chain(
 
     /** Draws all primitives of the row, without stages. */
     private fun drawAll(row: Row) {
-        for ((index, primitive) in frame.primitives.withIndex()) {
-            if (row.y !in primitive.rowStart until primitive.rowEnd || !primitive.reaches(frame.region)) continue
-            stage(frame, index, row.y, spans).next(row)
+        frame.forEachPrimitive(checkpoint) { index, primitive ->
+            if (row.y in primitive.rowStart until primitive.rowEnd && primitive.reaches(frame.region)) {
+                stage(frame, index, row.y, spans).next(row)
+            }
         }
     }
 
@@ -144,18 +151,13 @@ internal class Chain(
         if (stages.size > CAPACITY && stages.size / 4 >= size) stages = stages.copyOf(maxOf(CAPACITY, 2 * size))
     }
 
-    /** Finds the primitives that can cover samples of the region, and sorts them by first row, then by index. */
     private fun entries(): LongArray? {
-        val region = frame.region
-        val count = frame.primitives.count { it.reaches(region) }
-        if (budget != null && Long.SIZE_BYTES * count.toLong() > budget - shadingBytes) return null
-        val all = LongArray(count)
-        var used = 0
-        for ((index, primitive) in frame.primitives.withIndex()) {
-            if (!primitive.reaches(region)) continue
-            all[used++] = maxOf(primitive.rowStart, region.rowStart).toLong() shl 32 or index.toLong()
+        var count = 0L
+        if (budget != null) {
+            frame.forEachPrimitive(checkpoint) { _, primitive -> if (primitive.reaches(frame.region)) count++ }
+            if (Long.SIZE_BYTES * count > budget - shadingBytes) return null
         }
-        return all.apply { sort() }
+        return frame.byFirstRow(checkpoint)
     }
 
     private companion object {

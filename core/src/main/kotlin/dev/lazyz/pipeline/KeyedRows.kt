@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.RowSink
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.shading.LateShading
 
 /**
@@ -28,11 +29,12 @@ internal class KeyedRows(
 
     /**
      * Passes the rows of [band], which is as wide as the frame's region, to [sink]. [keys] has one key a sample, in
-     * rows from the top of the band.
+     * rows from the top of the band. Ends if the calling thread is interrupted.
      */
     fun handOut(band: Region, keys: LongArray, sink: RowSink) {
         val shadedBefore = counters.shadingCalls
         for (row in 0 until band.height) {
+            endIfInterrupted()
             for (i in 0 until width) {
                 val key = keys[row * width + i]
                 depths[i] = test.depthOf(key)

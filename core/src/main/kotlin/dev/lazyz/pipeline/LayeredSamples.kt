@@ -1,6 +1,7 @@
 package dev.lazyz.pipeline
 
 import dev.lazyz.Blending
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
@@ -9,7 +10,8 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
-import dev.lazyz.raster.reaches
+import dev.lazyz.endIfInterrupted
+import dev.lazyz.raster.forEachRow
 
 /**
  * For each sample of a region the nearest opaque fragment so far, and all translucent fragments in front of it, with
@@ -52,11 +54,7 @@ internal class LayeredSamples(
 
     /** Draws [primitive], whose submission index is [index]. Returns false if there is not enough memory. */
     fun draw(primitive: Primitive, index: Int): Boolean {
-        if (!primitive.reaches(region)) return true
-        val rowStart = maxOf(primitive.rowStart, region.rowStart)
-        val cursor = primitive.cursor(rowStart)
-        for (y in rowStart until minOf(primitive.rowEnd, region.rowEnd)) {
-            cursor.next(spans)
+        primitive.forEachRow(region, spans) { y ->
             for (i in 0 until spans.count) {
                 if (!drawSpan(primitive, index, y, spans.start(i), spans.end(i))) return false
             }
@@ -79,6 +77,7 @@ internal class LayeredSamples(
             val key = test.key(depth, index)
             if (key < keys[at]) {
                 if (isTranslucent && !reserve()) return false
+                endIfInterrupted()
                 counters.depthPasses++
                 counters.shadingCalls++
                 fragment.moveTo(x, y)
@@ -122,6 +121,7 @@ internal class LayeredSamples(
     private fun removeHidden() {
         // Note the sample of each fragment that stays, in the place of its successor
         for (at in 0 until size) {
+            if (Checkpoint.isDue(at)) endIfInterrupted()
             var layer = heads[at]
             while (layer != NONE) {
                 val following = next[layer]
@@ -133,6 +133,7 @@ internal class LayeredSamples(
         val before = count
         count = 0
         for (layer in 0 until before) {
+            if (Checkpoint.isDue(layer)) endIfInterrupted()
             val at = next[layer]
             if (at == NONE) continue
             layerKeys[count] = layerKeys[layer]
@@ -151,6 +152,7 @@ internal class LayeredSamples(
         val layers = SortedLayers()
         for (row in 0 until region.height) {
             for (x in 0 until region.width) {
+                endIfInterrupted()
                 val at = row * region.width + x
                 layers.collect(at)
                 argb[x] = blending.blend(layers.count, keys[at] != background, raster.background) { number ->

@@ -1,5 +1,6 @@
 package dev.lazyz.pipeline
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.Depth
@@ -107,7 +108,7 @@ public class Row internal constructor(private val frame: Frame, public val y: In
         // Compute the colour unless it is known
         val forced = forced()
         if (!isForced(forced, at)) {
-            val shading = single ?: LateShading(frame, Coherence.DIRECT, counting).also { single = it }
+            val shading = single ?: LateShading(frame, Coherence.DIRECT, counting, Checkpoint.NONE).also { single = it }
             colors[at] = color(at, shading)
             forced[at / Long.SIZE_BITS] = forced[at / Long.SIZE_BITS] or (1L shl at)
         }
@@ -119,11 +120,13 @@ public class Row internal constructor(private val frame: Frame, public val y: In
      * not been shaded yet, from left to right, with the renderer's [Coherence]. The array is not copied and must not be
      * changed.
      */
+    public fun argb(): IntArray = argb(Checkpoint.NONE)
+
     @Synchronized
-    public fun argb(): IntArray {
+    private fun argb(checkpoint: Checkpoint): IntArray {
         val colors = colors()
         if (isWhole) return colors
-        val shading = LateShading(frame, coherence, counting)
+        val shading = LateShading(frame, coherence, counting, checkpoint)
         val forced = forced
         for (i in 0 until width) if (forced == null || !isForced(forced, i)) colors[i] = color(i, shading)
         account(shading.peakBytes)
@@ -143,7 +146,12 @@ public class Row internal constructor(private val frame: Frame, public val y: In
      */
     @Throws(IOException::class)
     public fun sendTo(sink: RowSink) {
-        val colors = argb()
+        sendTo(sink, Checkpoint.NONE)
+    }
+
+    /** As the other [sendTo]. Passes [checkpoint] for each colour. */
+    internal fun sendTo(sink: RowSink, checkpoint: Checkpoint) {
+        val colors = argb(checkpoint)
         val depths = IntArray(width)
         val indices = IntArray(width)
         for (i in 0 until width) {

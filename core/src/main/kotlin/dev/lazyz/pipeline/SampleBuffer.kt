@@ -5,6 +5,7 @@ import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RowSink
+import dev.lazyz.endIfInterrupted
 
 /**
  * The nearest fragment so far of each sample of a region: its visibility key and its colour. 12 bytes a sample. Used by
@@ -39,12 +40,13 @@ internal class SampleBuffer(raster: Raster, val region: Region) {
     /** Returns the index of the sample at column [x] of row [y]. */
     fun place(x: Int, y: Int): Int = (y - region.rowStart) * width + (x - region.columnStart)
 
-    /** Passes every row to [sink], from top to bottom. */
+    /** Passes every row to [sink], from top to bottom. Ends if the calling thread is interrupted. */
     fun handOut(sink: RowSink) {
         val colors = IntArray(width)
         val depths = IntArray(width)
         val indices = IntArray(width)
         for (row in 0 until region.height) {
+            endIfInterrupted()
             argb.copyInto(colors, 0, row * width, (row + 1) * width)
             for (x in 0 until width) {
                 val key = keys[row * width + x]

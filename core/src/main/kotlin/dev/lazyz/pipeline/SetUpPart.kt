@@ -7,6 +7,7 @@ import dev.lazyz.Helpers
 import dev.lazyz.Reach
 import dev.lazyz.Region
 import dev.lazyz.Workers
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.setup.planar.triangleBatch
@@ -51,13 +52,17 @@ internal class SetUpPart(val first: Int, val content: FrameContent) {
 internal fun FrameParts.reaching(area: Region): List<FramePart> =
     filter { it.reach == null || it.reach.within(area) != null }
 
-/** Calls [action] for each of the [parts] in order. Another thread makes them, if there is one. */
+/**
+ * Calls [action] for each of the [parts] in order. Another thread makes them, if there is one. Ends if the calling
+ * thread is interrupted.
+ */
 internal inline fun inOrder(parts: List<FramePart>, workers: Workers, action: (SetUpPart) -> Unit) {
     val helpers = Helpers(workers.executor)
     var isDone = false
     try {
         var next = parts.firstOrNull()?.let { PartToMake(it) }
         for (number in parts.indices) {
+            endIfInterrupted()
             val current = checkNotNull(next)
             next = parts.getOrNull(number + 1)?.let { PartToMake(it) }
             if (next != null && workers.threads > 1) helpers.start(next::make)

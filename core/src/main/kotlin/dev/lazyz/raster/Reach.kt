@@ -1,8 +1,11 @@
 package dev.lazyz.raster
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Region
+import dev.lazyz.Spans
+import dev.lazyz.endIfInterrupted
 
 /**
  * Whether the bounds of this primitive intersect [region]. If not, a renderer does not use the primitive (rule 7.7).
@@ -12,15 +15,42 @@ internal fun Primitive.reaches(region: Region): Boolean =
         maxOf(columnStart, region.columnStart) < minOf(columnEnd, region.columnEnd)
 
 /**
- * Returns the primitives that reach the frame's region, in the order of their first rows in it: the row in the upper
- * half, the submission index in the lower half.
+ * Calls [action] for each row of this primitive in [region], after its spans have been written to [spans]. Ends if the
+ * calling thread is interrupted. For renderers that draw one primitive after the other.
  */
-internal fun Frame.byFirstRow(): LongArray {
-    val all = LongArray(primitives.size)
-    var used = 0
-    for ((index, primitive) in primitives.withIndex()) {
-        val rowStart = maxOf(primitive.rowStart, region.rowStart)
-        if (primitive.reaches(region)) all[used++] = rowStart.toLong() shl 32 or index.toLong()
+internal inline fun Primitive.forEachRow(region: Region, spans: Spans, action: (y: Int) -> Unit) {
+    endIfInterrupted()
+    if (!reaches(region)) return
+    val first = maxOf(rowStart, region.rowStart)
+    val cursor = cursor(first)
+    for (y in first until minOf(rowEnd, region.rowEnd)) {
+        endIfInterrupted()
+        cursor.next(spans)
+        action(y)
     }
-    return all.copyOf(used).apply { sort() }
+}
+
+/** Calls [action] for all primitives in submission order, and passes [checkpoint] for each. */
+internal inline fun Frame.forEachPrimitive(checkpoint: Checkpoint, action: (index: Int, primitive: Primitive) -> Unit) {
+    content.makePrimitives(checkpoint)
+    for ((index, primitive) in primitives.withIndex()) {
+        checkpoint.pass()
+        action(index, primitive)
+    }
+}
+
+/**
+ * Returns the primitives that reach the frame's region, in the order of their first rows in it: the row in the upper
+ * half, the submission index in the lower half. Passes [checkpoint] for each primitive.
+ */
+internal fun Frame.byFirstRow(checkpoint: Checkpoint): LongArray {
+    var count = 0
+    forEachPrimitive(checkpoint) { _, primitive -> if (primitive.reaches(region)) count++ }
+    val all = LongArray(count)
+    var used = 0
+    forEachPrimitive(checkpoint) { index, primitive ->
+        val rowStart = maxOf(primitive.rowStart, region.rowStart)
+        if (primitive.reaches(region)) all[used++] = rowStart.toLong() shl Int.SIZE_BITS or index.toLong()
+    }
+    return all.apply { sortKeys(checkpoint) }
 }

@@ -6,6 +6,7 @@ import dev.lazyz.Fragment
 import dev.lazyz.FragmentBatch
 import dev.lazyz.FrameContent
 import dev.lazyz.RecentPrimitives
+import dev.lazyz.endIfInterrupted
 
 /**
  * Gathers samples of any primitives, and then shades them: together where consecutive ones have the same
@@ -41,11 +42,12 @@ internal class GatheredShading(content: FrameContent, footprintSide: Int, room: 
         return size++
     }
 
-    /** Computes [argb] of all samples. */
+    /** Computes [argb] of all samples. Ends if the calling thread is interrupted. */
     fun shade() {
         var together: BatchShader? = null
         batch.size = 0
         for (number in 0 until size) {
+            endIfInterrupted()
             val primitive = primitives[indices[number]]
             val attributed = ((primitive as? MaskedPrimitive)?.whole ?: primitive) as? AttributedPrimitive
             val shader = attributed?.shader as? BatchShader

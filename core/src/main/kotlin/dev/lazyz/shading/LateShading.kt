@@ -1,5 +1,6 @@
 package dev.lazyz.shading
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
@@ -23,11 +24,14 @@ import dev.lazyz.ShadingCursor
  * lower cost.
  *
  * Used by one thread.
+ *
+ * @param checkpoint passed for each shading call, because shaders may take long
  */
 internal class LateShading(
     private val frame: Frame,
     private val coherence: Coherence,
-    private val counters: Counters.Builder
+    private val counters: Counters.Builder,
+    private val checkpoint: Checkpoint,
 ) {
     private val fragment = Fragment()
     private val background = frame.raster.background.toArgb()
@@ -74,6 +78,7 @@ internal class LateShading(
      * is valid until the next call.
      */
     fun shaded(x: Int, y: Int, index: Int, primitive: Primitive): Fragment {
+        checkpoint.pass()
         counters.shadingCalls++
         fragment.moveTo(x, y)
         val cursor = if (mayStep(primitive)) cursorAt(x, y, index, primitive) else null

@@ -37,6 +37,13 @@ public class Environment private constructor(public val intensity: Float) {
         @JvmField
         public val USUAL: Environment = Environment(0.7f)
 
+        /**
+         * The studio with 0.3 of its light, for scenes with lights of their own: metals have something to reflect, and
+         * white surfaces stay darker than white.
+         */
+        @JvmField
+        public val FAINT: Environment = Environment(0.3f)
+
         /** Returns the studio, with its light multiplied by [intensity], 0 or more. */
         @JvmStatic
         @JvmOverloads

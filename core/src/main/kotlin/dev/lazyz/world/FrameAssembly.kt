@@ -40,7 +40,11 @@ internal class FrameAssembly(private val surfaces: List<Surface>, private val se
 
     private fun FrameContent.Builder.add(surface: Surface) {
         val batch = if (surface is Mesh) setUp.batch(surface, next) else null
-        if (batch != null) add(batch) else surface.primitives(setUp).forEach(::add)
+        if (batch != null) return add(batch)
+        for (primitive in surface.primitives(setUp)) {
+            setUp.checkpoint.pass()
+            add(primitive)
+        }
     }
 
     private fun streamed(): FrameContent {

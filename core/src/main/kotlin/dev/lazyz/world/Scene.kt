@@ -1,7 +1,9 @@
 package dev.lazyz.world
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
+import dev.lazyz.OwnCheckpoint
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
@@ -20,9 +22,9 @@ import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.StreamedMesh
 import dev.lazyz.world.surface.Surface
-import java.util.function.UnaryOperator
 import org.joml.Vector3d
 import org.joml.Vector3dc
+import java.util.function.UnaryOperator
 
 /**
  * Surfaces, lights and a viewpoint, in world space: right-handed, y up, any unit of length.
@@ -37,7 +39,7 @@ import org.joml.Vector3dc
  * @property viewpoint the camera, or a rule that chooses one
  * @property background colour of samples that no surface covers
  * @property environment what materials with [MetallicRoughness] reflect besides the [lights]; null means
- *   [Environment.USUAL] for a scene without lights, and otherwise none
+ *   [Environment.USUAL], and [Environment.FAINT] for a scene with lights: metals with nothing to reflect would be black
  * @property toneMapping exposure and tone curve; null means [ToneCurve.NEUTRAL] for a scene with a material with
  *   [MetallicRoughness], and otherwise [ToneMapping.NONE]
  * @property ambientVisibility which part of ambient light and of the [environment] reaches a point; null for all of it
@@ -130,24 +132,24 @@ public class Scene private constructor(
      * one surface at a time.
      */
     public fun primitives(raster: Raster): Sequence<Primitive> {
-        val setUp = setUp(raster, Workers.ALL)
+        val setUp = setUp(raster, Workers.ALL, Checkpoint.NONE)
         return surfaces.asSequence().flatMap { it.primitives(setUp) }
     }
 
-    private fun setUp(raster: Raster, workers: Workers): SetUp {
+    private fun setUp(raster: Raster, workers: Workers, checkpoint: Checkpoint): SetUp {
         val camera = camera(raster.width, raster.height)
-        val environment = environment ?: if (lights.isEmpty()) Environment.USUAL else Environment.NONE
+        val usual = if (lights.isEmpty()) Environment.USUAL else Environment.FAINT
         val light = SceneLight(
             scaled(lights.ifEmpty { Light.studio(camera) }),
             scaled(lights),
-            scaled(environment),
+            scaled(environment ?: usual),
             effectiveToneMapping,
             ambientVisibility,
         )
 
         // A viewpoint can also return a camera of the screen, which has no other origin
         val shadingOrigin = if (camera.projection == Projection.Screen) Vectors.ZERO else origin
-        return SetUp(raster, camera, light, shadingOrigin, workers)
+        return SetUp(raster, camera, light, shadingOrigin, workers, checkpoint)
     }
 
     private fun scaled(environment: Environment): Environment = if (lightIntensity == 1f) {
@@ -164,7 +166,9 @@ public class Scene private constructor(
      * get a frame.
      *
      * @throws IllegalArgumentException if a side is not in 1..[Raster.MAX_SIDE]
+     * @throws InterruptedException as the other [frame]
      */
+    @Throws(InterruptedException::class)
     public fun frame(width: Int, height: Int): Frame = frame(Raster(width, height, background))
 
     /**
@@ -173,12 +177,16 @@ public class Scene private constructor(
      * in parallel. A scene with a [StreamedMesh] gives a streamed frame, see [Frame.isStreamed].
      *
      * @param options [RenderOptions.threads] and [RenderOptions.executor] are used, the others are not
+     * @throws InterruptedException if the calling thread is interrupted; after at most 100 ms of processor time, unless
+     *   a custom surface takes longer for a primitive
      */
     @JvmOverloads
-    public fun frame(raster: Raster, options: RenderOptions = RenderOptions()): Frame {
-        val setUp = setUp(raster, options.workers)
-        return Frame(raster, FrameAssembly(surfaces, setUp).content(), raster.region)
-    }
+    @Throws(InterruptedException::class)
+    public fun frame(raster: Raster, options: RenderOptions = RenderOptions()): Frame =
+        OwnCheckpoint().use { checkpoint ->
+            val setUp = setUp(raster, options.workers, checkpoint)
+            Frame(raster, FrameAssembly(surfaces, setUp).content(), raster.region)
+        }
 
     /**
      * Returns this scene with each material replaced by the result of [change]. Where [change] adds a texture or another

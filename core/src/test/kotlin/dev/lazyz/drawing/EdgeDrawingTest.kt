@@ -203,9 +203,9 @@ class EdgeDrawingTest {
 
         // The upper side of the one behind is in row 49, columns 5 to 95; the other one is in columns 37.5 to 63
         assertEquals(listOf(3..38, 61..95), image.blackColumns(49))
-        val hidden = render(listOf(back, front), EdgeStyle(width = 3.0, hidden = HiddenLines.SOLID))
+        val hidden = render(listOf(back, front), EdgeStyle(width = 3.0, hidden = HiddenLines.SOLID, hiddenColor = Rgba.BLACK))
         assertEquals(listOf(3..95), hidden.blackColumns(49))
-        val dashed = render(listOf(back, front), EdgeStyle(width = 1.0, hidden = HiddenLines.DASHED))
+        val dashed = render(listOf(back, front), EdgeStyle(hidden = HiddenLines.DASHED, hiddenColor = Rgba.BLACK))
 
         // Three dashes, of which two continue the visible parts
         assertEquals(listOf(4..43, 47..53, 57..94), dashed.blackColumns(49))
@@ -412,6 +412,18 @@ class EdgeDrawingTest {
         }
     }
 
+    /** A machine with many parts inside must not become a black tangle. */
+    @Test
+    fun hiddenLinesAreGreyUnlessTheCallerChooses() {
+        val surfaces = listOf(square(-1.8f, -1.5f, 1.8f, 0.02f, -1f), square(-0.5f, -1f, 0.52f, 1f, 0f))
+        val style = EdgeStyle(hidden = HiddenLines.SOLID)
+        fun colors(style: EdgeStyle) = render(surfaces, style).argb.toSet() - Rgba.WHITE.toArgb()
+        assertEquals(setOf(Rgba.BLACK.toArgb(), 0xFFA0A0A0.toInt()), colors(style))
+        val red = Rgba.ofRgb(0xFF0000)
+        val chosen = style.withHiddenColor(red).withWidth(2.0).withColor(Rgba.ofRgb(0x0000FF))
+        assertEquals(setOf(0xFF0000FF.toInt(), red.toArgb()), colors(chosen))
+    }
+
     /** Dashes and the grid of crumbs are multiples of the width; a width near 0 would make them too many to count. */
     @Test
     fun rule_10_3_widthsBelowOneSampleCountAsOneSample() {
@@ -454,7 +466,7 @@ class EdgeDrawingTest {
     fun stylesAreChecked() {
         for (wrong in listOf<() -> EdgeStyle>(
             { EdgeStyle(width = 0.0) }, { EdgeStyle(width = 5000.0) }, { EdgeStyle(creaseAngle = -1.0) },
-            { EdgeStyle(color = Rgba.TRANSPARENT) },
+            { EdgeStyle(color = Rgba.TRANSPARENT) }, { EdgeStyle(hiddenColor = Rgba.TRANSPARENT) },
         )) {
             assertThrows(IllegalArgumentException::class.java) { wrong() }
         }

@@ -145,6 +145,17 @@ class GroundShadowTest {
         assertEquals(scene.bounds.toString(), with.bounds.toString())
     }
 
+    /** As `docs/light.md` shows. */
+    @Test
+    fun aRuleInPlaceOfACameraFitsPicturesOfAnyShape() {
+        val shadow = shadow(scene)
+        val all = scene.withSurfaces(scene.surfaces + shadow)
+            .withViewpoint { seen, aspect -> shadow.camera(scene.viewpoint.camera(seen, aspect)) }
+        for ((width, height) in listOf(80 to 60, 30 to 90)) {
+            assertEquals("${shadow.camera(scene.camera(width, height))}", "${all.camera(width, height)}")
+        }
+    }
+
     private companion object {
         /** A ball that floats above its ground, which a second ball determines. */
         val scene = Scene(

@@ -65,6 +65,17 @@ class LightRigTest {
         }
     }
 
+    @Test
+    fun lightsAreAddedToWhatMetalsReflect() {
+        val mirror = Material().withMetallicRoughness(MetallicRoughness(1f, 0.2f))
+        val lamp = listOf(Light.Point(Vector3d(2.0, 3.0, 4.0), Rgba(0.1f, 0.1f, 0.1f)))
+        fun mean(scene: Scene) = visible(picture(scene)).map { it ushr 8 and 0xFF }.average()
+        val faint = ball(mirror, lamp)
+        assertEquals(picture(faint.withEnvironment(Environment.FAINT)), picture(faint))
+        assertTrue(mean(faint) > 60) { "${mean(faint)}" }
+        assertTrue(mean(faint.withEnvironment(Environment.NONE)) < 30)
+    }
+
     /** A light with a direction, along the axes of a camera. */
     private class Beam(light: Light.Directional, camera: Camera) {
         private val to = Vector3d(light.direction).negate().normalize()

@@ -1,5 +1,6 @@
 package dev.lazyz.pipeline
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Coherence
 import dev.lazyz.Depth
 import dev.lazyz.Frame
@@ -15,7 +16,7 @@ class ChainTest {
 
     /** The stages that each row of [frame] passes through, by index, and the bytes counted for each row. */
     private fun walk(frame: Frame): List<Pair<List<Int>, Long>> {
-        val chain = Chain(frame, Coherence.DIRECT, ::Stage)
+        val chain = Chain(frame, Coherence.DIRECT, Checkpoint.NONE, ::Stage)
         return (frame.region.rowStart until frame.region.rowEnd).map { y ->
             var row = chain.begin(y)
             val stages = List(chain.size) { chain[it].index }
@@ -42,7 +43,7 @@ class ChainTest {
 
     @Test
     fun aStageHasLeftWhenItsLastRowIsDone() {
-        val chain = Chain(frame(3, 0..0, 0..1), Coherence.DIRECT, ::Stage)
+        val chain = Chain(frame(3, 0..0, 0..1), Coherence.DIRECT, Checkpoint.NONE, ::Stage)
         val row = chain.begin(0)
         assertEquals(2, chain.size)
         chain.end(row)

@@ -46,7 +46,7 @@ public class SetUpBenchmark {
 
     /** Sets up a frame. */
     @Benchmark
-    public Frame frame() {
+    public Frame frame() throws InterruptedException {
         return world.frame(side, side);
     }
 }

@@ -54,7 +54,7 @@ public class ShadingBenchmark {
 
     /** Sets up a triangle that covers the raster, and fails if a cursor gives other colours than the primitive. */
     @Setup
-    public void setUp() {
+    public void setUp() throws InterruptedException {
         float[] positions = {-9f, -9f, 0f, 9f, -9f, 1f, 0f, 9f, -1f};
         float[] normals = {0.3f, 0f, 1f, 0f, 0.4f, 1f, -0.2f, -0.3f, 1f};
         Material material = new Material(new Rgba(0.8f, 0.5f, 0.2f)).withShading(shading);

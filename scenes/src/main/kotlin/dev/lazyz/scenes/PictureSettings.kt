@@ -88,8 +88,10 @@ public class PictureSettings private constructor(
      * @throws NoPictureException if no camera shows the model, because its numbers would be beyond their range, or if
      *   the chosen [sampling] is not possible
      * @throws UnsupportedOperationException if the scene cannot be rotated, see [Scene.withUpAxis]
+     * @throws InterruptedException as [Scene.frame]
      */
     @JvmOverloads
+    @Throws(InterruptedException::class)
     public fun frame(loaded: LoadedScene, options: RenderOptions = RenderOptions()): SampledFrame {
         val scene = loaded.lit(seen(loaded), light, lightIntensity)
         val raster = loaded.depth.raster(size.width, size.height, background ?: scene.background)

@@ -33,8 +33,11 @@ internal object GoldenDrawings {
     val all: Map<String, () -> Scene> = mapOf(
         "sparse" to { Scene(sparse(), viewpoint = near, background = Rgba(0.1f, 0.1f, 0.2f)) },
         "edges" to { drawn(EdgeStyle(width = 1.5, color = Rgba(0.4f, 0f, 0.1f)), near) },
-        "edges-dashed" to { drawn(EdgeStyle(hidden = HiddenLines.DASHED), camera) },
-        "edges-solid" to { drawn(EdgeStyle(creaseAngle = 10.0, width = 3.0, hidden = HiddenLines.SOLID), near) },
+        "edges-dashed" to { drawn(EdgeStyle(hidden = HiddenLines.DASHED, hiddenColor = Rgba.BLACK), camera) },
+        "edges-solid" to {
+            val solid = EdgeStyle(hidden = HiddenLines.SOLID, hiddenColor = Rgba.BLACK)
+            drawn(solid.withCreaseAngle(10.0).withWidth(3.0), near)
+        },
         "wireframe" to { drawn(EdgeStyle(EdgeSet.ALL, width = 0.7), near) },
         "section" to { section(Section(listOf(tilted))) },
         "section-hatched" to {

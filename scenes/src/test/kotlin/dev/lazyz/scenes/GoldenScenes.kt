@@ -85,14 +85,14 @@ internal object GoldenScenes {
         "metallic" to { scene(shown(metallic())).withEnvironment(Environment.studio(0.6f)) },
         "metallic-aces" to {
             scene(shown(metallic()) + behind(metallic(), 1)).withLights(lights + spot).withLightIntensity(1.25f)
-                .withToneMapping(ToneMapping(ToneCurve.ACES, 0.5))
+                .withToneMapping(ToneMapping(ToneCurve.ACES, 0.5)).withEnvironment(Environment.NONE)
         },
         "trilinear" to { scene(floors(MipFilter.TRILINEAR)) },
         "anisotropic" to { scene(floors(MipFilter.ANISOTROPIC)) },
         "occluded" to { occluded(scene(shown(metallic()) + wall()).withEnvironment(Environment.USUAL)) },
         "on-ground" to { onGround(scene(shown(shining(Shading.BLINN_PHONG)))) },
         "mirrored" to { scene(mirrored()) },
-        "normal-map" to { scene(bumpy()) },
+        "normal-map" to { scene(bumpy()).withEnvironment(Environment.NONE) },
         "matcap" to { shadedBy { Matcap(smooth(leaf), it, tint = Rgba(0.9f, 1f, 0.8f)) } },
         "matcap-orthographic" to {
             val camera = Camera.orthographic(

@@ -25,6 +25,7 @@ internal class LineWork(
     hidden: HiddenLines?,
     private val width: Double?,
     color: Rgba?,
+    hiddenColor: Rgba?,
     style: PictureStyle?,
     private val cuts: List<Cut>,
     private val capColor: Rgba?,
@@ -43,6 +44,7 @@ internal class LineWork(
 
     init {
         if (color != null && color.alpha != 1f) throw Mistake("--edge-color must be opaque")
+        if (hiddenColor != null && hiddenColor.alpha != 1f) throw Mistake("--hidden-color must be opaque")
         if (capColor != null && cuts.isEmpty()) throw Mistake("--cap-color needs --cut")
         if (hasEdges && isWireframe) throw Mistake("--wireframe contains the edges of --edges; use one of them")
         if (creaseAngle != null && isWireframe) {
@@ -58,6 +60,9 @@ internal class LineWork(
             val edges = if (lonely.key == CREASE_ANGLE) "--edges" else "--edges, --wireframe"
             throw Mistake("${lonely.key} needs $edges or --style technical")
         }
+        if (hiddenColor != null && (hidden == null || hidden == HiddenLines.NONE)) {
+            throw Mistake("--hidden-color needs --hidden-lines dashed or solid")
+        }
         edges = if (!isDrawn) {
             null
         } else {
@@ -66,6 +71,7 @@ internal class LineWork(
                 creaseAngle ?: FeatureEdges.DEFAULT_CREASE_ANGLE,
                 color = color ?: Rgba.BLACK,
                 hidden = hidden ?: HiddenLines.NONE,
+                hiddenColor = hiddenColor ?: EdgeStyle.HIDDEN_GREY,
             )
         }
     }

@@ -35,7 +35,9 @@ internal class LineOptions : OptionGroup("Lines and sections") {
         help = "Width of edges in pixels, up to 4096; default: by the size of the picture, 1 for 640x480",
     ).number("PX", 0.001..Points.MAX_SIZE.toDouble(), " pixels")
 
-    private val color by option("--edge-color", help = "Colour of edges, opaque; default: black").color()
+    private val color by option("--edge-color", help = "Colour of visible edges, opaque; default: black").color()
+
+    private val hiddenColor by option("--hidden-color", help = "Colour of hidden lines, opaque; default: grey").color()
 
     private val cuts by option(
         "--cut",
@@ -53,5 +55,5 @@ internal class LineOptions : OptionGroup("Lines and sections") {
 
     /** Returns the lines and planes that the options and the [style] describe. */
     fun lineWork(style: PictureStyle?) =
-        LineWork(hasEdges, isWireframe, creaseAngle, hidden, width, color, style, cuts, capColor)
+        LineWork(hasEdges, isWireframe, creaseAngle, hidden, width, color, hiddenColor, style, cuts, capColor)
 }

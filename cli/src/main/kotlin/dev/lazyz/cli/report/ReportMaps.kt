@@ -20,13 +20,16 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
         val most = maxOf(overdraw.ints.max(), 1)
         appendLine("""<div class="opening">""")
         val sum = overdraw.ints.sumOf { it.toLong() }
-        val words = "Overdraw: %,d fragments in all, up to %,d at a pixel".format(null, sum, most)
+        val samples = overdraw.samplesPerPixel.toDouble()
+        val mean = sum / samples / overdraw.ints.size
+        val words = "Overdraw: %.2f surfaces on average, up to %.1f at a pixel".format(null, mean, most / samples)
         appendLine("<figure>${pictures.show(AovPicture.ofCounts(overdraw, most), words)}")
         appendLine("<figcaption>$words.</figcaption></figure>")
         appendLine("""<div class="card"><h3>Overdraw</h3>""")
         append("<p>How many surfaces cover each pixel, hidden ones too: the work that can be saved. ")
+        append("Where a surface covers a part of a pixel, that part counts. ")
         appendLine("It belongs to the scene, so it is the same for all strategies.</p>")
-        append(scale("Fragments:", "0", "1", "%,d".format(null, most)))
+        append(scale("Surfaces:", "0", "", "%.1f".format(null, most / samples)))
         appendLine("</div></div>")
     }
 

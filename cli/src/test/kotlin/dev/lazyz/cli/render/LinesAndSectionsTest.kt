@@ -29,7 +29,12 @@ class LinesAndSectionsTest {
         assertTrue(wire.count { it == 0xFFFF0000.toInt() } > edges.count { it == black })
         assertTrue(picture("--edges", "--crease-angle", "180").count { it == black } < edges.count { it == black })
         assertTrue(picture("--edges", "--edge-width", "3").count { it == black } > edges.count { it == black })
-        assertTrue(picture("--edges", "--hidden-lines", "dashed").count { it == black } > edges.count { it == black })
+        val dashed = picture("--edges", "--hidden-lines", "dashed")
+        assertEquals(edges.count { it == black }, dashed.count { it == black })
+        val grey = 0xFFA0A0A0.toInt()
+        assertTrue(dashed.count { it == grey } > edges.count { it == grey })
+        val green = picture("--edges", "--hidden-lines", "dashed", "--hidden-color", "0f0")
+        assertEquals(dashed.count { it == grey } - edges.count { it == grey }, green.count { it == 0xFF00FF00.toInt() })
     }
 
     @Test
@@ -111,6 +116,8 @@ class LinesAndSectionsTest {
         mistake("--crease-angle has no effect with --wireframe", "--wireframe", "--crease-angle", "20")
         mistake("--wireframe contains", "--edges", "--wireframe")
         mistake("--cap-color needs --cut", "--cap-color", "f00")
+        mistake("--hidden-color needs --hidden-lines dashed or solid", "--edges", "--hidden-color", "f00")
+        mistake("--hidden-color must be opaque", "--edges", "--hidden-lines", "solid", "--hidden-color", "f008")
         mistake("--edge-color must be opaque", "--edges", "--edge-color", "ff000080")
         mistake("not a plane", "--cut", "w=1")
         mistake("not a plane", "--cut", "0,0,0,1")

@@ -145,6 +145,8 @@ class ReportTest {
         assertTrue(covered.any { it } && covered.any { !it })
         assertTrue(picture("Shading calls of painter:").toSet().size > 3)
         assertTrue(Viridis.argb(1.0) in picture("Overdraw: "))
+        val words = Regex("Overdraw: [0-9.]+ surfaces on average, up to [0-9.]+ at a pixel")
+        assertTrue(page.shown.keys.any { words.matches(it) }) { "${page.shown.keys}" }
 
         // Row by row: each covered pixel is lighter than those before it
         val order = picture("Order in which lazy shades")

@@ -64,8 +64,7 @@ internal fun addSceneTraits(scene: Scene, traits: MutableSet<FrameTrait>) {
         addMapTraits(material, surface as? Mesh, traits)
         if (material.metallicRoughness == null || material.shading == Shading.CONSTANT) continue
         traits.add(FrameTrait.PHYSICAL)
-        val usual = if (scene.lights.isEmpty()) Environment.USUAL else Environment.NONE
-        if ((scene.environment ?: usual) != Environment.NONE) traits.add(FrameTrait.ENVIRONMENT)
+        if (scene.environment != Environment.NONE) traits.add(FrameTrait.ENVIRONMENT)
     }
 }
 

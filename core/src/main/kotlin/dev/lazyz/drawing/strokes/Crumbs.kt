@@ -1,5 +1,6 @@
 package dev.lazyz.drawing.strokes
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.geometry.DistinctTriples
 import kotlin.math.ceil
 import kotlin.math.floor
@@ -14,12 +15,14 @@ import kotlin.math.floor
  * number of pieces and in their length in pixels.
  *
  * @param pointCount number of points of the model
+ * @param checkpoint passed for each piece
  */
 internal class Crumbs(
     private val pieces: Pieces,
     pointCount: Int,
     private val least: Double,
     private val near: Double,
+    private val checkpoint: Checkpoint,
 ) {
     private val parent = IntArray(pieces.count) { it }
 
@@ -56,6 +59,7 @@ internal class Crumbs(
         val cells = DistinctTriples()
         val pieceIn = ArrayList<Int>()
         for (i in 0 until pieces.count) {
+            checkpoint.pass()
             val steps = ceil(length(i) / near).toInt()
             for (step in 0..steps) {
                 val t = if (steps == 0) 0.0 else step.toDouble() / steps

@@ -1,6 +1,7 @@
 package dev.lazyz.setup.planar
 
 import dev.lazyz.Attributes
+import dev.lazyz.Checkpoint
 import dev.lazyz.EmptyPrimitive
 import dev.lazyz.FillRule
 import dev.lazyz.Primitive
@@ -22,8 +23,9 @@ internal class PlanarSetUp(
     private val lighting: Lighting,
     private val workers: Workers,
 ) {
-    fun mesh(mesh: Mesh): Sequence<Primitive> = sequence {
-        val vertices = meshVertices(mesh)
+    /** Returns the triangles of [mesh] in order. Passes [checkpoint] while it transforms all vertices before that. */
+    fun mesh(mesh: Mesh, checkpoint: Checkpoint): Sequence<Primitive> = sequence {
+        val vertices = meshVertices(mesh, checkpoint)
         val face = face(mesh)
         val ends = intArrayOf(3)
         for (i in mesh.triangles.indices step 3) {
@@ -35,11 +37,13 @@ internal class PlanarSetUp(
     /**
      * Returns [mesh] as a batch whose first triangle has the submission index [first]; null if the mesh is not opaque.
      */
-    fun batch(mesh: Mesh, first: Int): TriangleBatch? {
+    fun batch(mesh: Mesh, first: Int, checkpoint: Checkpoint): TriangleBatch? {
         if (mesh.material.alphaMode != AlphaMode.OPAQUE) return null
         val snapped = SnappedVertices(stage, mesh)
         val chunks = (mesh.vertexCount - 1) / CHUNK + 1
-        workers.forEach(chunks) { snapped.snap(it * CHUNK, minOf((it + 1) * CHUNK, mesh.vertexCount)) }
+        workers.forEach(chunks, checkpoint) { number, _ ->
+            snapped.snap(number * CHUNK, minOf((number + 1) * CHUNK, mesh.vertexCount))
+        }
 
         // Triangles that must be clipped are set up one by one; those whose visible side is not drawn are omitted
         var hidden: LongArray? = null
@@ -50,6 +54,7 @@ internal class PlanarSetUp(
             val face = face(mesh)
             val vertices = Vertices(3)
             for (triangle in 0 until mesh.triangleCount) {
+                if (Checkpoint.isDue(triangle)) checkpoint.pass()
                 val isOutside = snapped.isOutside(triangle)
                 if (!isOutside && !(isOneSided && face.isBack(triangle, vertices))) continue
                 bits[triangle ushr TriangleBatch.WORD_SHIFT] =
@@ -88,9 +93,12 @@ internal class PlanarSetUp(
     }
 
     /** Transforms all vertices of [mesh]. */
-    private fun meshVertices(mesh: Mesh): Vertices {
+    private fun meshVertices(mesh: Mesh, checkpoint: Checkpoint): Vertices {
         val vertices = Vertices(mesh.vertexCount, Vertices.strideOf(mesh))
-        for (i in 0 until mesh.vertexCount) stage.place(vertices, i, mesh, i)
+        for (i in 0 until mesh.vertexCount) {
+            if (Checkpoint.isDue(i)) checkpoint.pass()
+            stage.place(vertices, i, mesh, i)
+        }
         return vertices
     }
 

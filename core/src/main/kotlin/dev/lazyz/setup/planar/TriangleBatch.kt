@@ -1,5 +1,6 @@
 package dev.lazyz.setup.planar
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
 import dev.lazyz.PrimitiveBatch
@@ -62,7 +63,7 @@ internal class TriangleBatch(
         return TriangleBatch(bare, first, setUp, grid, inverseW, hidden, exceptions)
     }
 
-    override fun primitives(): Sequence<Primitive> = setUp.mesh(mesh)
+    override fun primitives(checkpoint: Checkpoint): Sequence<Primitive> = setUp.mesh(mesh, checkpoint)
 
     companion object {
         /** Numbers for each vertex in [grid]. */

@@ -1,24 +1,24 @@
 package dev.lazyz.strategies.flow
 
 import dev.lazyz.Capability
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.endIfInterrupted
 import dev.lazyz.pipeline.Chain
 import dev.lazyz.pipeline.Row
 import dev.lazyz.pipeline.Stage
 import dev.lazyz.requireInMemory
 import dev.lazyz.requireOpaque
-import java.io.IOException
-import kotlin.coroutines.CoroutineContext
 import kotlinx.coroutines.currentCoroutineContext
 import kotlinx.coroutines.ensureActive
 import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.flow
 import kotlinx.coroutines.runBlocking
+import java.io.IOException
+import kotlin.coroutines.CoroutineContext
 
 /**
  * The lazy z-buffer's pipeline as a [Flow]: rows are emitted to a collector when the collector is ready for them.
@@ -64,7 +64,7 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
      */
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters = runBlocking {
-        rows(frame) { endIfInterrupted() }.deliver(sink)
+        rows(frame) { Checkpoint.CALLER }.deliver(sink, Checkpoint.CALLER)
     }
 
     /**
@@ -72,7 +72,8 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
      * coroutine is cancelled, the sink receives no further rows.
      */
     @JvmSynthetic
-    public suspend fun renderSuspending(frame: Frame, sink: RowSink): Counters = rows(frame).deliver(sink)
+    public suspend fun renderSuspending(frame: Frame, sink: RowSink): Counters =
+        rows(frame).deliver(sink, Checkpoint.NONE)
 
     /**
      * Returns the rows of [frame]'s region from the top. Each row is made when the collector is ready for it, and
@@ -85,21 +86,21 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
      *
      * @throws IllegalArgumentException if a primitive is translucent
      */
-    public fun rows(frame: Frame): Flow<Row> = rows(frame, CoroutineContext::ensureActive)
+    public fun rows(frame: Frame): Flow<Row> = rows(frame) { context -> Checkpoint { context.ensureActive() } }
 
-    /** The pipeline. It calls [checkpoint] before each stage; [checkpoint] throws if the pipeline must stop. */
-    private fun rows(frame: Frame, checkpoint: (CoroutineContext) -> Unit): Flow<Row> {
+    /** The pipeline. It passes the checkpoint that [checkpointIn] returns before each stage. */
+    private fun rows(frame: Frame, checkpointIn: (CoroutineContext) -> Checkpoint): Flow<Row> {
         requireOpaque(frame, this)
         requireInMemory(frame, this)
         return flow {
-            val context = currentCoroutineContext()
-            val chain = Chain(frame, options.coherence, ::Stage)
+            val checkpoint = checkpointIn(currentCoroutineContext())
+            val chain = Chain(frame, options.coherence, checkpoint, ::Stage)
             for (y in frame.region.rowStart until frame.region.rowEnd) {
                 // Pass a row of background down the chain
-                checkpoint(context)
+                checkpoint.pass()
                 var row = chain.begin(y)
                 for (i in 0 until chain.size) {
-                    checkpoint(context)
+                    checkpoint.pass()
                     row = chain[i].next(row)
                 }
                 chain.end(row)
@@ -110,10 +111,10 @@ public class FlowPipeline @JvmOverloads constructor(private val options: RenderO
         }
     }
 
-    private suspend fun Flow<Row>.deliver(sink: RowSink): Counters {
+    private suspend fun Flow<Row>.deliver(sink: RowSink, checkpoint: Checkpoint): Counters {
         val counters = Counters.Builder()
         collect { row ->
-            row.sendTo(sink)
+            row.sendTo(sink, checkpoint)
             counters.add(row.counters)
         }
         return counters.build()

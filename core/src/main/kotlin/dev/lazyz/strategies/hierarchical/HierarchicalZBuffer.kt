@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.hierarchical
 
 import dev.lazyz.Capability
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Drawing
 import dev.lazyz.Frame
@@ -18,6 +19,8 @@ import dev.lazyz.pipeline.KeyedRows
 import dev.lazyz.pipeline.StreamedRendering
 import dev.lazyz.pipeline.bandBytes
 import dev.lazyz.raster.VisibilityOrder
+import dev.lazyz.raster.forEachPrimitive
+import dev.lazyz.raster.sortKeys
 import dev.lazyz.requireOpaque
 import dev.lazyz.shading.LateShading
 import java.io.IOException
@@ -107,11 +110,11 @@ public class HierarchicalZBuffer @JvmOverloads constructor(
         if (sorted != null) {
             for (key in sorted) drawing.draw(test.indexOf(key))
         } else {
-            for (index in frame.primitives.indices) drawing.draw(index)
+            frame.forEachPrimitive(Checkpoint.CALLER) { index, _ -> drawing.draw(index) }
         }
 
         // Shade after all primitives are drawn
-        val rows = KeyedRows(frame, LateShading(frame, options.coherence, counters), counters)
+        val rows = KeyedRows(frame, LateShading(frame, options.coherence, counters, Checkpoint.CALLER), counters)
         rows.handOut(frame.region, drawing.keys, sink)
         counters.peakBytes = drawing.bytes + Long.SIZE_BYTES * (sorted?.size ?: 0) + rows.bytes
         return counters.build()
@@ -123,8 +126,10 @@ public class HierarchicalZBuffer @JvmOverloads constructor(
     private fun nearestFirst(frame: Frame): LongArray {
         val order = VisibilityOrder(frame.raster.depthTest)
         val keys = LongArray(frame.primitives.size)
-        for ((index, primitive) in frame.primitives.withIndex()) keys[index] = order.nearestKey(primitive, index)
-        keys.sort()
+        frame.forEachPrimitive(Checkpoint.CALLER) { index, primitive ->
+            keys[index] = order.nearestKey(primitive, index)
+        }
+        keys.sortKeys(Checkpoint.CALLER)
         return keys
     }
 }

@@ -7,8 +7,11 @@ import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.Spans
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.AreaBounds
 import dev.lazyz.raster.VisibilityOrder
+import dev.lazyz.raster.forEachRow
+import dev.lazyz.raster.reaches
 import dev.lazyz.strategies.hierarchical.DepthPyramid.Companion.BLOCK
 
 /**
@@ -50,30 +53,27 @@ internal class PyramidDrawing(private val frame: Frame, private val counters: Co
         primitive = frame.primitives[index]
         nearestKey = order.nearestKey(primitive, index)
         farthestKey = order.farthestKey(primitive, index)
-        box = boxOf(primitive) ?: return
+        if (!primitive.reaches(region)) return endIfInterrupted()
+        box = boxOf(primitive)
         val isHidden = isHidden()
 
         // If the primitive is hidden, only count its samples
-        val cursor = primitive.cursor(box.rowStart)
-        for (y in box.rowStart until box.rowEnd) {
-            cursor.next(spans)
+        primitive.forEachRow(box, spans) { y ->
             if (isHidden) {
                 for (i in 0 until spans.count) counters.fragments += spans.end(i) - spans.start(i)
-                continue
+                return@forEachRow
             }
             if (y == box.rowStart || (y - region.rowStart) % BLOCK == 0) forgetBlocks()
             for (i in 0 until spans.count) drawSpan(y, spans.start(i), spans.end(i))
         }
     }
 
-    private fun boxOf(primitive: Primitive): Region? {
-        val columnStart = maxOf(primitive.columnStart, region.columnStart)
-        val columnEnd = minOf(primitive.columnEnd, region.columnEnd)
-        val rowStart = maxOf(primitive.rowStart, region.rowStart)
-        val rowEnd = minOf(primitive.rowEnd, region.rowEnd)
-        if (columnStart >= columnEnd || rowStart >= rowEnd) return null
-        return Region(columnStart, rowStart, columnEnd, rowEnd)
-    }
+    private fun boxOf(primitive: Primitive) = Region(
+        maxOf(primitive.columnStart, region.columnStart),
+        maxOf(primitive.rowStart, region.rowStart),
+        minOf(primitive.columnEnd, region.columnEnd),
+        minOf(primitive.rowEnd, region.rowEnd),
+    )
 
     private fun blockColumn(x: Int): Int = (x - region.columnStart) / BLOCK
 

@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.hybrid
 
 import dev.lazyz.Capability
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Drawing
 import dev.lazyz.Frame
@@ -10,6 +11,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.RowSink
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.pipeline.GuardedDrawing
+import dev.lazyz.raster.forEachPrimitive
 import dev.lazyz.requireOpaque
 import java.io.IOException
 
@@ -55,7 +57,7 @@ public class Hybrid @JvmOverloads constructor(private val options: RenderOptions
         requireOpaque(frame, this)
         val cost = if (frame.isStreamed) PrimitiveCost.HELD else PrimitiveCost.NONE
         val samples = SuspendedSamples(frame, options, cost)
-        for (primitive in frame.primitives) samples.draw(primitive)
+        frame.forEachPrimitive(Checkpoint.CALLER) { _, primitive -> samples.draw(primitive) }
         return samples.finish(sink)
     }
 

@@ -1,5 +1,6 @@
 package dev.lazyz.strategies.hybrid
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
@@ -9,7 +10,8 @@ import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
-import dev.lazyz.raster.reaches
+import dev.lazyz.endIfInterrupted
+import dev.lazyz.raster.forEachRow
 import dev.lazyz.shading.LateShading
 
 /**
@@ -56,19 +58,15 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
         val budget = options.memoryBudget ?: Long.MAX_VALUE
         val isStepping = options.coherence != Coherence.DIRECT && budget >= CHAIN_BYTES
         suspensions = Suspensions(budget, if (isStepping) CHAIN_BYTES else 0, cost)
-        shading = LateShading(frame, if (isStepping) options.coherence else Coherence.DIRECT, counters)
+        val coherence = if (isStepping) options.coherence else Coherence.DIRECT
+        shading = LateShading(frame, coherence, counters, Checkpoint.CALLER)
     }
 
     fun draw(primitive: Primitive) {
         val index = counters.primitives++.toInt()
-        val rowStart = maxOf(primitive.rowStart, region.rowStart)
-        val rowEnd = minOf(primitive.rowEnd, region.rowEnd)
-        if (!primitive.reaches(region)) return
         record = null
         isEager = false
-        val cursor = primitive.cursor(rowStart)
-        for (y in rowStart until rowEnd) {
-            cursor.next(spans)
+        primitive.forEachRow(region, spans) { y ->
             shading.beginRow()
             for (i in 0 until spans.count) drawSpan(primitive, index, y, spans.start(i), spans.end(i))
         }
@@ -162,6 +160,8 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
         counters.peakSuspensions = suspensions.peakAlive
         counters.peakBytes = BYTES_PER_SAMPLE * region.size + suspensions.peakBytes
         for (row in 0 until region.height) {
+            endIfInterrupted()
+
             // Decode the row into the front of the arrays, which holds only rows that the sink has already received
             val from = row * width
             for (i in 0 until width) {

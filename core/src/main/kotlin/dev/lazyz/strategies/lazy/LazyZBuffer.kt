@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.lazy
 
 import dev.lazyz.Capability
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
@@ -65,8 +66,8 @@ public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOp
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
         val counters = Counters.Builder()
-        for (row in rows(frame)) {
-            row.sendTo(sink)
+        for (row in rows(frame, Checkpoint.CALLER)) {
+            row.sendTo(sink, Checkpoint.CALLER)
             counters.add(row.counters)
         }
         return counters.build()
@@ -82,15 +83,21 @@ public class LazyZBuffer @JvmOverloads constructor(private val options: RenderOp
      *
      * @throws IllegalArgumentException if a primitive is translucent
      */
-    public fun rows(frame: Frame): Sequence<Row> {
+    public fun rows(frame: Frame): Sequence<Row> = rows(frame, Checkpoint.NONE)
+
+    private fun rows(frame: Frame, checkpoint: Checkpoint): Sequence<Row> {
         requireOpaque(frame, this)
         requireInMemory(frame, this)
         return sequence {
-            val chain = Chain(frame, options.coherence, ::LazyStage, options.memoryBudget)
+            val chain = Chain(frame, options.coherence, checkpoint, ::LazyStage, options.memoryBudget)
             for (y in frame.region.rowStart until frame.region.rowEnd) {
                 // The request has reached the upstream end: pass the row down the chain
+                checkpoint.pass()
                 var row = chain.begin(y)
-                for (i in 0 until chain.size) row = chain[i].next(row)
+                for (i in 0 until chain.size) {
+                    checkpoint.pass()
+                    row = chain[i].next(row)
+                }
                 chain.end(row)
                 yield(row)
             }

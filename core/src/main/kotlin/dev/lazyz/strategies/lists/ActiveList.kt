@@ -1,41 +1,29 @@
 package dev.lazyz.strategies.lists
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Frame
-import dev.lazyz.Primitive
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
-import dev.lazyz.raster.reaches
+import dev.lazyz.endIfInterrupted
+import dev.lazyz.raster.byFirstRow
 
 /**
  * The primitives that may cover the current row, each with a cursor. A primitive is added at its first row and removed
  * after its last. The order does not matter, because the fragments of a sample are sorted by key.
  */
 internal class ActiveList(private val frame: Frame) {
-    private val region = frame.region
-    private val spans = Spans(region)
+    private val spans = Spans(frame.region)
 
     /** First row and index of each primitive that may cover the region, sorted. */
-    private val arrivals: LongArray
+    private val arrivals = frame.byFirstRow(Checkpoint.CALLER)
     private var arrived = 0
 
     private var indices = IntArray(INITIAL)
     private var cursors = arrayOfNulls<SpanCursor>(INITIAL)
     private var count = 0
 
-    init {
-        var used = 0
-        val keys = LongArray(frame.primitives.count { it.reaches(region) })
-        for ((index, primitive) in frame.primitives.withIndex()) {
-            if (primitive.reaches(region)) keys[used++] = firstRow(primitive).toLong() shl 32 or index.toLong()
-        }
-        keys.sort()
-        arrivals = keys
-    }
-
     /** Bytes held; the arrays never shrink. */
     val peakBytes: Long get() = 8L * arrivals.size + (Int.SIZE_BYTES + REFERENCE_BYTES) * indices.size
-
-    private fun firstRow(primitive: Primitive): Int = maxOf(primitive.rowStart, region.rowStart)
 
     /** Adds the spans of row [y], which follows the row of the last call, to [fragments]. */
     fun moveTo(y: Int, fragments: RowFragments) {
@@ -48,6 +36,7 @@ internal class ActiveList(private val frame: Frame) {
         fragments.clear()
         var i = 0
         while (i < count) {
+            endIfInterrupted()
             val index = indices[i]
             checkNotNull(cursors[i]).next(spans)
             for (span in 0 until spans.count) fragments.add(index, spans.start(span), spans.end(span))

@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.lists
 
 import dev.lazyz.Capability
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
@@ -60,7 +61,7 @@ public class Lists @JvmOverloads constructor(private val options: RenderOptions 
         val selector = options.selector ?: if (frame.hasTranslucency) Selector.blend() else Selector.nearest()
         val counters = Counters.Builder()
         counters.primitives = frame.primitives.size.toLong()
-        val shading = LateShading(frame, options.coherence, counters)
+        val shading = LateShading(frame, options.coherence, counters, Checkpoint.CALLER)
         val active = ActiveList(frame)
         val fragments = RowFragments(frame, counters)
         val cell = RowCell(frame, fragments, shading)
@@ -78,6 +79,7 @@ public class Lists @JvmOverloads constructor(private val options: RenderOptions 
 
                 // Let the selector choose among the fragments of each sample
                 for (column in start until end) {
+                    endIfInterrupted()
                     if (!cell.moveTo(column, y)) continue
                     counters.depthPasses++
                     selector.select(cell)

@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.lists
 
 import dev.lazyz.Cell
+import dev.lazyz.Checkpoint
 import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
@@ -8,6 +9,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
 import dev.lazyz.Srgb
+import dev.lazyz.raster.sortKeys
 import dev.lazyz.shading.LateShading
 
 /** The cell of one sample of the current row. It is moved from sample to sample, from left to right. */
@@ -91,7 +93,7 @@ internal class RowCell(
     }
 
     private fun sort() {
-        if (!isSorted) fragments.keys.sort(start, end)
+        if (!isSorted) fragments.keys.sortKeys(Checkpoint.CALLER, start, end)
         isSorted = true
     }
 

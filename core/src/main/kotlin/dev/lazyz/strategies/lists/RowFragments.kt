@@ -3,6 +3,7 @@ package dev.lazyz.strategies.lists
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
+import dev.lazyz.endIfInterrupted
 
 /**
  * The fragments of one row as visibility keys grouped by column, one piece of the row at a time.
@@ -86,6 +87,7 @@ internal class RowFragments(private val frame: Frame, private val counters: Coun
 
         // Walk the spans
         for (i in 0 until spanCount) {
+            endIfInterrupted()
             val start = maxOf(spans[3 * i + 1], from)
             val end = minOf(spans[3 * i + 2], until)
             if (start < end) walk(spans[3 * i], y, start, end)

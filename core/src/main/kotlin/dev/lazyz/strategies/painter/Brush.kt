@@ -3,6 +3,7 @@ package dev.lazyz.strategies.painter
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Spans
+import dev.lazyz.raster.forEachRow
 
 /**
  * Paints primitives onto a canvas, over primitives that are proved to be behind, without comparing depths.
@@ -20,9 +21,8 @@ internal class Brush(
     private val pairs: PairOrder,
     private val counters: Counters.Builder,
 ) {
-    private val region = frame.region
     private val test = frame.raster.depthTest
-    private val spans = Spans(region)
+    private val spans = Spans(frame.region)
 
     /**
      * For each painted primitive (element 0 is the background), the last primitive painted over it, and the order
@@ -35,12 +35,7 @@ internal class Brush(
     val bytes: Long get() = 5L * metBy.size
 
     fun paint(index: Int) {
-        val primitive = frame.primitives[index]
-        val rowStart = maxOf(primitive.rowStart, region.rowStart)
-        val rowEnd = minOf(primitive.rowEnd, region.rowEnd)
-        val cursor = primitive.cursor(rowStart)
-        for (y in rowStart until rowEnd) {
-            cursor.next(spans)
+        frame.primitives[index].forEachRow(frame.region, spans) { y ->
             for (i in 0 until spans.count) {
                 counters.fragments += spans.end(i) - spans.start(i)
                 canvas.paint(index, y, spans.start(i), spans.end(i), this)

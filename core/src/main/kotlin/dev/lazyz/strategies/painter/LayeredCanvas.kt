@@ -1,9 +1,11 @@
 package dev.lazyz.strategies.painter
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.shading.LateShading
 import dev.lazyz.shading.LayerShading
 
@@ -17,7 +19,7 @@ import dev.lazyz.shading.LayerShading
  * layers that no light passes.
  */
 internal class LayeredCanvas(frame: Frame, counters: Counters.Builder) : Canvas(frame, counters) {
-    private val shading = LayerShading(frame, LateShading(frame, Coherence.DIRECT, counters))
+    private val shading = LayerShading(frame, LateShading(frame, Coherence.DIRECT, counters, Checkpoint.CALLER))
 
     /** The top layer of each sample, or [NONE]. */
     private val tops = IntArray(indices.size).apply { fill(NONE) }
@@ -41,6 +43,8 @@ internal class LayeredCanvas(frame: Frame, counters: Counters.Builder) : Canvas(
         val isTranslucent = frame.primitives[index].isTranslucent
         var at = at(start, y)
         for (x in start until end) {
+            endIfInterrupted()
+
             // Go below the layers that are over the primitive
             var above = NONE
             var below = tops[at]

@@ -3,6 +3,7 @@ package dev.lazyz.strategies.painter
 import dev.lazyz.Counters
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
+import dev.lazyz.endIfInterrupted
 
 /** A canvas for opaque primitives: colour and primitive of each sample. What is painted is shaded immediately. */
 internal class OpaqueCanvas(frame: Frame, counters: Counters.Builder) : Canvas(frame, counters) {
@@ -24,6 +25,7 @@ internal class OpaqueCanvas(frame: Frame, counters: Counters.Builder) : Canvas(f
     }
 
     private fun paint(x: Int, y: Int, at: Int, index: Int) {
+        endIfInterrupted()
         counters.depthPasses++
         counters.shadingCalls++
         fragment.moveTo(x, y)

@@ -4,6 +4,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.Spans
 import dev.lazyz.raster.Edge
+import dev.lazyz.raster.forEachRow
 
 /**
  * The corners of the convex hull of the samples that a primitive covers in a region, in order around the hull.
@@ -75,13 +76,11 @@ internal class Outline private constructor(val xs: IntArray, val ys: IntArray) {
             val spans = Spans(region)
             val left = Chain(1)
             val right = Chain(-1)
-            val rowStart = maxOf(primitive.rowStart, region.rowStart)
-            val cursor = primitive.cursor(rowStart)
-            for (y in rowStart until minOf(primitive.rowEnd, region.rowEnd)) {
-                cursor.next(spans)
-                if (spans.count == 0) continue
-                left.add(spans.start(0), y)
-                right.add(spans.end(spans.count - 1) - 1, y)
+            primitive.forEachRow(region, spans) { y ->
+                if (spans.count > 0) {
+                    left.add(spans.start(0), y)
+                    right.add(spans.end(spans.count - 1) - 1, y)
+                }
             }
 
             // Go down the right chain and up the left, without the left corners that coincide with right ones

@@ -1,7 +1,11 @@
 package dev.lazyz.strategies.painter
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Frame
+import dev.lazyz.endIfInterrupted
+import dev.lazyz.raster.forEachPrimitive
 import dev.lazyz.raster.reaches
+import dev.lazyz.raster.sortKeys
 import java.util.function.IntConsumer
 
 /**
@@ -43,6 +47,7 @@ internal class PaintOrder(private val frame: Frame, private val pairs: PairOrder
         for (key in byDepth) {
             push(test.indexOf(key))
             while (height > 0) {
+                endIfInterrupted()
                 val next = stack[--height]
                 if (next < 0) {
                     paint.accept(next.inv())
@@ -57,7 +62,10 @@ internal class PaintOrder(private val frame: Frame, private val pairs: PairOrder
 
     private fun pushPredecessors(index: Int) {
         if (looks > budget) return
-        tree.find(index) { other -> if (mustPrecede(other, index)) push(other) }
+        tree.find(index) { other ->
+            endIfInterrupted()
+            if (mustPrecede(other, index)) push(other)
+        }
     }
 
     /** Newell's tests: whether [other] must be painted before [index], that is, is proved to be behind it. */
@@ -72,11 +80,11 @@ internal class PaintOrder(private val frame: Frame, private val pairs: PairOrder
     private fun byDepth(): LongArray {
         val keys = LongArray(frame.primitives.size)
         var used = 0
-        for ((index, primitive) in frame.primitives.withIndex()) {
+        frame.forEachPrimitive(Checkpoint.CALLER) { index, primitive ->
             if (primitive.reaches(region)) keys[used++] = pairs.farthestKey(index)
         }
         return keys.copyOf(used).apply {
-            sort()
+            sortKeys(Checkpoint.CALLER)
             reverse()
         }
     }

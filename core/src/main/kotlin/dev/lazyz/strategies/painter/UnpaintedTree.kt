@@ -1,6 +1,9 @@
 package dev.lazyz.strategies.painter
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Frame
+import dev.lazyz.endIfInterrupted
+import dev.lazyz.raster.sortKeys
 import java.util.function.IntConsumer
 
 /**
@@ -36,8 +39,10 @@ internal class UnpaintedTree(indices: IntArray, private val frame: Frame, privat
 
     init {
         // Sort the leaves along the curve
-        val curve = LongArray(indices.size) { place(indices[it]) or indices[it].toLong() }.apply { sort() }
+        val curve = LongArray(indices.size) { place(indices[it]) or indices[it].toLong() }
+        curve.sortKeys(Checkpoint.CALLER)
         for (leaf in curve.indices) {
+            endIfInterrupted()
             val index = (curve[leaf] and Int.MAX_VALUE.toLong()).toInt()
             val primitive = frame.primitives[index]
             primitives[leaf] = index
@@ -52,6 +57,7 @@ internal class UnpaintedTree(indices: IntArray, private val frame: Frame, privat
 
         // Compute the inner nodes from the bottom up
         for (node in leaves - 1 downTo 1) {
+            endIfInterrupted()
             val left = 4 * (2 * node)
             val right = left + 4
             if (farthest[2 * node + 1] == NOTHING) {
@@ -105,6 +111,7 @@ internal class UnpaintedTree(indices: IntArray, private val frame: Frame, privat
      * bits of an index.
      */
     private fun place(index: Int): Long {
+        endIfInterrupted()
         val primitive = frame.primitives[index]
         val column = middle(primitive.columnStart, primitive.columnEnd, region.columnStart, region.columnEnd)
         val row = middle(primitive.rowStart, primitive.rowEnd, region.rowStart, region.rowEnd)

@@ -1,10 +1,13 @@
 package dev.lazyz.strategies.scanline
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.byFirstRow
+import dev.lazyz.raster.sortKeys
 
 /**
  * The active edge list: the ends of all spans of the current row, in order of columns.
@@ -25,7 +28,7 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
      * The edge table: primitives that are not yet active, with the first row in the upper half and the index in the
      * lower half, ascending.
      */
-    private val waiting = frame.byFirstRow()
+    private val waiting = frame.byFirstRow(Checkpoint.CALLER)
     private var entered = 0
 
     /** A primitive that the current row may intersect, and the numbers of its spans. */
@@ -95,6 +98,7 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
         // Remove primitives that have ended, step the others
         var kept = 0
         for (i in 0 until activeCount) {
+            endIfInterrupted()
             val active = actives[i]!!
             row.clear()
             if (y < active.rowEnd) active.cursor.next(row)
@@ -174,7 +178,7 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
             edges[at] = edge
             moves += i - at
             if (moves > MOVES_PER_EDGE * count) {
-                edges.sort(0, count)
+                edges.sortKeys(Checkpoint.CALLER, 0, count)
                 return
             }
         }

@@ -2,6 +2,7 @@ package dev.lazyz.strategies.scanline
 
 import dev.lazyz.Counters
 import dev.lazyz.Frame
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.VisibilityOrder
 
 /**
@@ -64,6 +65,8 @@ internal class CurvedSpans(
     fun show(depths: IntArray, visible: IntArray, start: Int, end: Int, y: Int, farthest: Long) {
         var farthestVisible = farthest
         for (candidate in 0 until count) {
+            endIfInterrupted()
+
             // A span that is behind the farthest visible sample is hidden, and so are all spans after it
             if (nearest[candidate] > farthestVisible) return
             val index = indices[candidate]

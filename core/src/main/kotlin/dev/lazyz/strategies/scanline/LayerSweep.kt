@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.LinearForm
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.VisibilityOrder
 import dev.lazyz.shading.LateShading
 import dev.lazyz.shading.LayerShading
@@ -134,6 +135,7 @@ internal class LayerSweep(
         backdropLast = if (until == from + 1) backdropFirst else value(backdrop, until - 1, y)
         layerCount = 0
         for (i in 0 until count) {
+            endIfInterrupted()
             val index = candidates[i]
             val first = value(index, from, y)
             val last = if (until == from + 1) first else value(index, until - 1, y)
@@ -175,6 +177,7 @@ internal class LayerSweep(
     private fun sort(x: Int, y: Int, backdropDepth: Int) {
         val backdropKey = test.key(backdropDepth, backdrop)
         for (i in 0 until count) {
+            endIfInterrupted()
             val index = candidates[i]
             counters.depthEvaluations++
             val depth = frame.primitives[index].depth(x, y)

@@ -3,6 +3,7 @@ package dev.lazyz.strategies.scanline
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
+import dev.lazyz.endIfInterrupted
 
 /**
  * Moves along a row from edge to edge, and determines the visible opaque primitive and its depth at every sample.
@@ -48,6 +49,7 @@ internal class RowSweep(
             // The candidates stay the same until the next edge
             val spanEnd = if (edge < edges.count) edges.column(edge) else region.columnEnd
             while (x < spanEnd) {
+                endIfInterrupted()
                 tournament.goTo(x, spanEnd)
                 val until = minOf(tournament.until, spanEnd)
                 show(tournament.winner, x, until, y)

@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.scanline
 
 import dev.lazyz.Capability
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
@@ -66,7 +67,7 @@ public class ScanLine @JvmOverloads constructor(private val options: RenderOptio
         counters.primitives = frame.primitives.size.toLong()
         val edges = ActiveEdges(frame, counters)
         val sweep = RowSweep(frame, edges, counters)
-        val shading = LateShading(frame, options.coherence, counters)
+        val shading = LateShading(frame, options.coherence, counters, Checkpoint.CALLER)
         val layers = if (frame.hasTranslucency) LayerSweep(frame, edges, shading, counters) else null
         val colors = IntArray(frame.width)
         for (y in frame.region.rowStart until frame.region.rowEnd) {

@@ -1,12 +1,12 @@
 package dev.lazyz.strategies.tiled
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.DepthTest
 import dev.lazyz.FrameContent
 import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.setup.planar.triangleBatchWith
 import dev.lazyz.strategies.tiled.binning.NearToFar
 import dev.lazyz.strategies.tiled.binning.TriangleBins
-import dev.lazyz.strategies.tiled.raster.CancellationCheck
 import dev.lazyz.strategies.tiled.raster.FineRaster
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
@@ -20,7 +20,7 @@ internal class EarlyZDrawing(
     private val test: DepthTest,
     private val keys: VisibilityBuffer,
     private val drawing: FineRaster,
-    private val checkpoint: CancellationCheck,
+    private val checkpoint: Checkpoint,
 ) {
     private val forms = TriangleForms(test)
 

@@ -1,5 +1,6 @@
 package dev.lazyz.strategies.tiled
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.Frame
@@ -11,7 +12,6 @@ import dev.lazyz.strategies.tiled.binning.ArrayPool
 import dev.lazyz.strategies.tiled.binning.Arrivals
 import dev.lazyz.strategies.tiled.binning.Band
 import dev.lazyz.strategies.tiled.binning.TriangleBins
-import dev.lazyz.strategies.tiled.raster.CancellationCheck
 import dev.lazyz.strategies.tiled.raster.TileGrid
 
 /**
@@ -46,16 +46,15 @@ internal class Rendering(
     private var bins: TriangleBins? = null
     private var binBytes = 0L
 
+    /** The calling thread is the only one that can be interrupted from outside. */
+    private val callerCheckpoint = Checkpoint {
+        endIfInterrupted()
+        schedule.pass()
+    }
+
     /** One for each thread; the first belongs to the calling thread. */
     private val renderers = List(threadCount) { number ->
-        TileRenderer(
-            frame, grid, coherence, kernels,
-            if (number == 0) {
-                CancellationCheck(::passCallerCheckpoint)
-            } else {
-                schedule
-            }
-        )
+        TileRenderer(frame, grid, coherence, kernels, if (number == 0) callerCheckpoint else schedule)
     }
 
     /** Renders the frame and passes every row to [sink]. */
@@ -88,11 +87,11 @@ internal class Rendering(
             while (!band.isComplete) {
                 val tile = schedule.take(0)
                 if (tile != Schedule.NONE) render(tile, renderers[0]) else schedule.awaitUntil({ band.isComplete })
-                passCallerCheckpoint()
+                callerCheckpoint.pass()
             }
 
             // Pass the band to the sink, and reuse its memory for another one
-            band.sendTo(sink) { passCallerCheckpoint() }
+            band.sendTo(sink, callerCheckpoint)
             band.bins?.finishBand()
             fillNext()
         }
@@ -123,8 +122,9 @@ internal class Rendering(
         arrivals.moveTo(filled)
         if (hasBatches && filled % bandsAtOnce == 0) {
             val until = minOf(filled + bandsAtOnce, grid.bands)
-            bins = TriangleBins(frame.content, grid, test, filled, until, workers, kernels::coverage, pool)
-                .also { binBytes = maxOf(binBytes, it.bytes) }
+            bins = TriangleBins(
+                frame.content, grid, test, filled, until, workers, kernels::coverage, pool, Checkpoint.CALLER,
+            ).also { binBytes = maxOf(binBytes, it.bytes) }
         }
         bandAt(filled).fill(filled, arrivals, bins)
         filled++
@@ -132,12 +132,6 @@ internal class Rendering(
     }
 
     private fun bandAt(number: Int): Band = bands[number % bands.size]
-
-    /** The calling thread is the only one that can be interrupted from outside. */
-    private fun passCallerCheckpoint() {
-        endIfInterrupted()
-        schedule.pass()
-    }
 
     private fun counters(): Counters {
         val sum = Counters.Builder()

@@ -1,6 +1,6 @@
 package dev.lazyz.strategies.tiled
 
-import dev.lazyz.strategies.tiled.raster.CancellationCheck
+import dev.lazyz.Checkpoint
 import java.util.concurrent.atomic.AtomicLongArray
 import java.util.concurrent.atomic.AtomicReference
 import java.util.concurrent.locks.Condition
@@ -20,7 +20,7 @@ import kotlin.concurrent.withLock
  * @param columns tiles in a band
  * @param threads number of threads
  */
-internal class Schedule(private val columns: Int, threads: Int) : CancellationCheck {
+internal class Schedule(private val columns: Int, threads: Int) : Checkpoint {
     private val ranges = minOf(threads, columns)
 
     /** Number of tiles of each range that have been taken. */

@@ -1,5 +1,6 @@
 package dev.lazyz.strategies.tiled
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.Frame
@@ -10,7 +11,6 @@ import dev.lazyz.setup.planar.PlanarPrimitive
 import dev.lazyz.strategies.tiled.binning.Band
 import dev.lazyz.strategies.tiled.binning.BandSpans
 import dev.lazyz.strategies.tiled.binning.isOpaqueTriangle
-import dev.lazyz.strategies.tiled.raster.CancellationCheck
 import dev.lazyz.strategies.tiled.raster.FineRaster
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
@@ -24,7 +24,7 @@ internal class TileRenderer(
     private val grid: TileGrid,
     coherence: Coherence,
     kernels: Kernels,
-    private val checkpoint: CancellationCheck,
+    private val checkpoint: Checkpoint,
 ) {
     /** Counters of the tiles rendered here. */
     val counters: Counters.Builder = Counters.Builder()
@@ -54,7 +54,7 @@ internal class TileRenderer(
             // Opaque primitives hide some of the translucent ones, regardless of the order of submission
             drawAll(band, column) { !it.isTranslucent }
             drawAll(band, column) { it.isTranslucent }
-            layers.order()
+            layers.order(checkpoint)
         } else {
             drawAll(band, column) { true }
         }
@@ -97,6 +97,7 @@ internal class TileRenderer(
         cursorBytes = maxOf(cursorBytes, if (cursor is TrapezoidCursor) cursor.bytes else CURSOR_BYTES)
         keys.choose(primitive, index)
         for (y in rowStart until rowEnd) {
+            checkpoint.pass()
             cursor.next(spans)
             for (i in 0 until spans.count) {
                 counters.fragments += spans.end(i) - spans.start(i)

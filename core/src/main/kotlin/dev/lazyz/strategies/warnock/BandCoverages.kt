@@ -1,9 +1,11 @@
 package dev.lazyz.strategies.warnock
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.Spans
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.VisibilityOrder
 import dev.lazyz.raster.byFirstRow
 import java.util.Arrays
@@ -19,7 +21,7 @@ internal class BandCoverages(private val frame: Frame, private val counters: Cou
     private val spans = Spans(region)
 
     /** First row in the upper half, index in the lower half, ascending. */
-    private val waiting = frame.byFirstRow()
+    private val waiting = frame.byFirstRow(Checkpoint.CALLER)
     private var joined = 0
     private var active = arrayOfNulls<BandCoverage>(INITIAL)
 
@@ -38,6 +40,7 @@ internal class BandCoverages(private val frame: Frame, private val counters: Cou
     fun moveTo(band: Region) {
         // Add
         while (joined < waiting.size && (waiting[joined] shr 32).toInt() < band.rowEnd) {
+            endIfInterrupted()
             if (count == active.size) active = active.copyOf(2 * count)
             val index = waiting[joined].toInt()
             active[count++] = BandCoverage(frame.primitives[index], index, order, (waiting[joined] shr 32).toInt())
@@ -53,6 +56,7 @@ internal class BandCoverages(private val frame: Frame, private val counters: Cou
         // Record what is covered, and sort from near to far
         bytes = Long.SIZE_BYTES * (waiting.size + 2L * active.size) + spans.bytes
         for (i in 0 until count) {
+            endIfInterrupted()
             val coverage = get(i)
             coverage.moveTo(band, spans)
             counters.fragments += coverage.samples
@@ -64,6 +68,9 @@ internal class BandCoverages(private val frame: Frame, private val counters: Cou
     private companion object {
         const val INITIAL = 16
 
-        val NEAREST_FIRST = Comparator<BandCoverage?> { a, b -> a!!.nearestKey.compareTo(b!!.nearestKey) }
+        val NEAREST_FIRST = Comparator<BandCoverage?> { a, b ->
+            endIfInterrupted()
+            a!!.nearestKey.compareTo(b!!.nearestKey)
+        }
     }
 }

@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Region
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.AreaBounds
 import dev.lazyz.raster.VisibilityOrder
 
@@ -58,6 +59,7 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
         var cover: BandCoverage? = null
         var coverKey = backgroundKey
         for (i in from until until) {
+            endIfInterrupted()
             val candidate = coverages[candidates[i]]
             // All candidates after this one are at least as far away: the cover hides them
             if (candidate.nearestKey > coverKey) break

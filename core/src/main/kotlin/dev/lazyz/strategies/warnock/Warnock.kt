@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.warnock
 
 import dev.lazyz.Capability
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Region
@@ -61,7 +62,7 @@ public class Warnock @JvmOverloads constructor(private val options: RenderOption
         val coverages = BandCoverages(frame, counters)
         val bandHeight = minOf(BAND, maxOf(BAND_SAMPLES / region.width, 1), region.height)
         val subdivision = Subdivision(frame, bandHeight, counters)
-        val rows = KeyedRows(frame, LateShading(frame, options.coherence, counters), counters)
+        val rows = KeyedRows(frame, LateShading(frame, options.coherence, counters, Checkpoint.CALLER), counters)
         for (top in region.rowStart until region.rowEnd step bandHeight) {
             val band = Region(region.columnStart, top, region.columnEnd, minOf(top + bandHeight, region.rowEnd))
 

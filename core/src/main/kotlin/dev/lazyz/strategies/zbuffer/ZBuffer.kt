@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.zbuffer
 
 import dev.lazyz.Capability
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Drawing
 import dev.lazyz.Fragment
@@ -11,9 +12,11 @@ import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
 import dev.lazyz.StreamingRenderer
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.pipeline.GuardedDrawing
 import dev.lazyz.pipeline.SampleBuffer
-import dev.lazyz.raster.reaches
+import dev.lazyz.raster.forEachPrimitive
+import dev.lazyz.raster.forEachRow
 import dev.lazyz.requireOpaque
 import java.io.IOException
 
@@ -40,7 +43,7 @@ public class ZBuffer : StreamingRenderer {
     override fun render(frame: Frame, sink: RowSink): Counters {
         requireOpaque(frame, this)
         val buffer = Buffer(frame.raster, frame.region)
-        for (primitive in frame.primitives) buffer.draw(primitive)
+        frame.forEachPrimitive(Checkpoint.CALLER) { _, primitive -> buffer.draw(primitive) }
         return buffer.finish(sink)
     }
 
@@ -66,12 +69,7 @@ public class ZBuffer : StreamingRenderer {
 
         fun draw(primitive: Primitive) {
             val index = counters.primitives++.toInt()
-            val rowStart = maxOf(primitive.rowStart, region.rowStart)
-            val rowEnd = minOf(primitive.rowEnd, region.rowEnd)
-            if (!primitive.reaches(region)) return
-            val cursor = primitive.cursor(rowStart)
-            for (y in rowStart until rowEnd) {
-                cursor.next(spans)
+            primitive.forEachRow(region, spans) { y ->
                 for (i in 0 until spans.count) drawSpan(primitive, index, y, spans.start(i), spans.end(i))
             }
         }
@@ -97,6 +95,7 @@ public class ZBuffer : StreamingRenderer {
         }
 
         private fun shade(primitive: Primitive, x: Int, y: Int): Int {
+            endIfInterrupted()
             counters.depthPasses++
             counters.shadingCalls++
             fragment.moveTo(x, y)

@@ -1,5 +1,6 @@
 package dev.lazyz.world.surface
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Shader
@@ -42,11 +43,12 @@ public class SetUp internal constructor(
     light: SceneLight,
     public val origin: Vector3dc,
     internal val workers: Workers,
+    internal val checkpoint: Checkpoint,
 ) {
     /** Creates a set-up without environment and tone mapping. The list is not copied; do not change it. */
     @JvmOverloads
     public constructor(raster: Raster, camera: Camera, lights: List<Light>, origin: Vector3dc = Vector3d()) :
-        this(raster, camera, SceneLight(lights), origin, Workers.ALL)
+        this(raster, camera, SceneLight(lights), origin, Workers.ALL, Checkpoint.NONE)
 
     /** Light sources, in the order in which they are added up. */
     public val lights: List<Light> = light.classical
@@ -69,13 +71,14 @@ public class SetUp internal constructor(
      * Returns the triangles of [mesh] in order, each set up when the sequence reaches it. All vertices are transformed
      * when the iteration starts; this takes 128 bytes a vertex.
      */
-    public fun mesh(mesh: Mesh): Sequence<Primitive> = planar.mesh(mesh.relativeTo(origin))
+    public fun mesh(mesh: Mesh): Sequence<Primitive> = planar.mesh(mesh.relativeTo(origin), checkpoint)
 
     /**
      * Returns the triangles of [mesh] as a batch, the first of them with submission index [first]; null if they must be
      * set up one by one.
      */
-    internal fun batch(mesh: Mesh, first: Int): TriangleBatch? = planar.batch(mesh.relativeTo(origin), first)
+    internal fun batch(mesh: Mesh, first: Int): TriangleBatch? =
+        planar.batch(mesh.relativeTo(origin), first, checkpoint)
 
     /** Returns [polygon] as a single primitive. */
     public fun polygon(polygon: Polygon): Primitive = planar.polygon(polygon.relativeTo(origin))

@@ -1,5 +1,6 @@
 package dev.lazyz.world.surface
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Workers
 import dev.lazyz.geometry.CornerNormals
 import dev.lazyz.geometry.CornersByPosition
@@ -30,7 +31,7 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
         val chunks = List((byPosition.count + CHUNK - 1) / CHUNK) {
             CornerNormals(mesh.positions, mesh.triangles, creaseAngle, firstCopy, triangles)
         }
-        Workers.ALL.forEach(chunks.size) { chunk ->
+        Workers.ALL.forEach(chunks.size, Checkpoint.NONE) { chunk, _ ->
             for (position in chunk * CHUNK until minOf((chunk + 1) * CHUNK, byPosition.count)) {
                 chunks[chunk].add(byPosition.corners, byPosition.starts[position], byPosition.starts[position + 1])
             }

@@ -1,5 +1,6 @@
 package dev.lazyz.shading.pbr
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Fragment
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
@@ -32,7 +33,7 @@ class PhysicalLightingTest {
         fragment.normalX = 2f * normal.x.toFloat()
         fragment.normalY = 2f * normal.y.toFloat()
         fragment.normalZ = 2f * normal.z.toFloat()
-        SetUp(Raster(1, 1), camera, light, Vector3d(), Workers.ALL).shader(material).shade(fragment)
+        SetUp(Raster(1, 1), camera, light, Vector3d(), Workers.ALL, Checkpoint.NONE).shader(material).shade(fragment)
         return Rgba(fragment.red, fragment.green, fragment.blue)
     }
 

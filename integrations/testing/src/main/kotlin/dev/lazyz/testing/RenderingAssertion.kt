@@ -64,8 +64,8 @@ public class RenderingAssertion private constructor(
     }
 
     private fun render(): Image {
-        val sampled = antiAliasing.frame(scene, raster, options)
         try {
+            val sampled = antiAliasing.frame(scene, raster, options)
             return sampled.render(rendererFor(sampled.frame))
         } catch (interrupt: InterruptedException) {
             Thread.currentThread().interrupt()

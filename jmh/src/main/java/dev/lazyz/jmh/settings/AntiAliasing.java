@@ -88,7 +88,7 @@ public final class AntiAliasing {
         return settings;
     }
 
-    private static SampledFrame frame(Scene scene, SuperSampling sampling) {
+    private static SampledFrame frame(Scene scene, SuperSampling sampling) throws InterruptedException {
         return sampling.frame(scene, new Raster(WIDTH, HEIGHT, scene.getBackground()));
     }
 

@@ -52,14 +52,21 @@ internal class AovPalette private constructor(
 
         /** Returns the colours of counts, on the scale from 0 to [most]. */
         fun ofCounts(image: AovImage, most: Int): AovPalette {
-            val title = if (image.aov == Aov.OVERDRAW) "overdraw, fragments" else "shading calls,"
             val sum = image.ints.sumOf { it.toLong() }
-            return scale(image, "$title of the pixel, $sum in all", 0.0 to most.toDouble())
+            if (image.aov != Aov.OVERDRAW) {
+                return scale(image, "shading calls, of the pixel, $sum in all", 0.0 to most.toDouble())
+            }
+
+            // A surface counts once, not once for each sample of the pixel
+            val samples = image.samplesPerPixel
+            val mean = readable(sum.toDouble() / samples / image.ints.size)
+            return scale(image, "overdraw, surfaces at each place, mean $mean", 0.0 to most.toDouble(), samples)
         }
 
-        private fun scale(image: AovImage, title: String, fixed: Pair<Double, Double>?): AovPalette {
+        /** Returns the colours of numbers on one scale; the legend has the ends of the scale divided by [unit]. */
+        private fun scale(image: AovImage, title: String, fixed: Pair<Double, Double>?, unit: Int = 1): AovPalette {
             val (least, most) = fixed ?: range(image, 0)
-            val bar = Bar("", readable(least), readable(most), Viridis::argb)
+            val bar = Bar("", readable(least / unit), readable(most / unit), Viridis::argb)
             return AovPalette(title, listOf(bar), listOf(NONE)) { index ->
                 val number = image.numberAt(index, 0)
                 if (number == image.aov.background || !number.isFinite()) {

@@ -14,7 +14,8 @@ import dev.lazyz.scenes.pictures.PixelFont
  * |---|---|
  * | depth | the scale [dev.lazyz.Viridis] from the nearest to the farthest pixel |
  * | coverage | the same scale from 0 to 1 |
- * | overdraw, shading calls | the same scale from 0 to the greatest number |
+ * | overdraw | the same scale from 0 to the greatest number; the legend counts surfaces, means of the pixel's samples |
+ * | shading calls | the same scale from 0 to the greatest number |
  * | normal | red, green and blue are x, y and z, -1..1 |
  * | position | red, green and blue are x, y and z, each from the least to the greatest number in the picture |
  * | texture coordinates | red is u and green v, their fractions where they are not in 0..1 |

@@ -47,7 +47,7 @@ internal object GltfParser : SceneParser {
         GltfExtensions.warnOfUnknown(document)
         document.warnOfCounts()
         if (lights.isEmpty()) return scene
-        return scene.withLights(lights).withEnvironment(Environment.studio(FAINT))
+        return scene.withLights(lights).withEnvironment(Environment.FAINT)
     }
 
     private fun reasonForNothing(document: GltfDocument, nodes: List<PlacedNode>): String {
@@ -59,7 +59,4 @@ internal object GltfParser : SceneParser {
             else -> "the meshes are empty"
         }
     }
-
-    /** Intensity of the studio in a scene with its own lights: enough that metals are not black. */
-    private const val FAINT = 0.3f
 }

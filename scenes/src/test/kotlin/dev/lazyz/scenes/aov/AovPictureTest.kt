@@ -50,6 +50,15 @@ class AovPictureTest {
         assertThrows(IllegalArgumentException::class.java) { AovPicture.ofCounts(image(Aov.OBJECT, 0, 1, 2, 9), 9) }
     }
 
+    /** With 4 x 4 samples, 16 fragments are one surface. */
+    @Test
+    fun theLegendOfOverdrawCountsSurfacesNotSamples() {
+        val once = AovImage(Aov.OVERDRAW, region, intArrayOf(0, 1, 2, 5))
+        val often = AovImage(Aov.OVERDRAW, region, intArrayOf(0, 16, 32, 80), samplesPerPixel = 16)
+        assertEquals(AovPicture.of(once).pixelHash(), AovPicture.of(often).pixelHash())
+        assertThrows(IllegalArgumentException::class.java) { AovImage(Aov.OVERDRAW, region, IntArray(4), 0) }
+    }
+
     @Test
     fun theScaleHasItsColoursAndIsMonotonous() {
         assertEquals(listOf(0xFF440154.toInt(), 0xFFFDE725.toInt()), listOf(0.0, 1.0).map { Viridis.argb(it) })

@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.tiled.binning
 
 import dev.lazyz.Frame
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.reaches
 import dev.lazyz.strategies.tiled.raster.TileGrid
 
@@ -34,6 +35,7 @@ internal class Arrivals(frame: Frame, private val grid: TileGrid) {
         val firstBand = IntArray(singles.size)
         var found = 0
         for ((index, primitive) in singles.withIndex()) {
+            endIfInterrupted()
             if (!primitive.reaches(region)) continue
             firstBand[index] = grid.bandOf(maxOf(primitive.rowStart, region.rowStart))
             all[found++] = index

@@ -1,8 +1,10 @@
 package dev.lazyz.strategies.tiled.binning
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RowSink
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.VisibilityOrder
 import dev.lazyz.setup.planar.PlanarPrimitive
 import dev.lazyz.strategies.tiled.raster.TileGrid
@@ -117,6 +119,7 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
         count = arrivals.count
         if (singles.size < count) reserve(count + count / 4)
         for (member in 0 until count) {
+            endIfInterrupted()
             val single = arrivals.present[member]
             val primitive = content.singles[single]
             val first = grid.columnOf(maxOf(primitive.columnStart, region.columnStart))
@@ -184,10 +187,10 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
     /** Records that one more tile has been rendered; returns whether it was the last. */
     fun finishTile(): Boolean = remaining.decrementAndGet() == 0
 
-    /** Passes the rows to [sink], and calls [checkpoint] before each row. */
-    inline fun sendTo(sink: RowSink, checkpoint: () -> Unit) {
+    /** Passes the rows to [sink], and passes [checkpoint] before each row. */
+    fun sendTo(sink: RowSink, checkpoint: Checkpoint) {
         for (row in 0 until rowEnd - rowStart) {
-            checkpoint()
+            checkpoint.pass()
             sink.row(rowStart + row, argb[row], depth[row], primitive[row])
         }
     }

@@ -1,9 +1,9 @@
 package dev.lazyz.strategies.tiled.binning
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Primitive
 import dev.lazyz.Spans
-import dev.lazyz.strategies.tiled.raster.CancellationCheck
 import java.util.concurrent.atomic.AtomicLong
 
 /**
@@ -67,10 +67,10 @@ internal class BandSpans(
      * Returns the rows. The first call counts the fragments of all tiles in [counters]. [scratch] must be limited to
      * the columns of the region; [checkpoint] is called before each row.
      */
-    fun rows(scratch: Spans, counters: Counters.Builder, checkpoint: CancellationCheck): Rows =
+    fun rows(scratch: Spans, counters: Counters.Builder, checkpoint: Checkpoint): Rows =
         rows ?: synchronized(this) { rows ?: scan(scratch, counters, checkpoint).also { rows = it } }
 
-    private fun scan(scratch: Spans, counters: Counters.Builder, checkpoint: CancellationCheck): Rows {
+    private fun scan(scratch: Spans, counters: Counters.Builder, checkpoint: Checkpoint): Rows {
         val cursor = primitive.cursor(rowStart)
         val ends = IntArray(rowEnd - rowStart)
         var bounds = IntArray(2 * ends.size)

@@ -1,5 +1,6 @@
 package dev.lazyz.strategies.tiled.binning
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.DepthTest
 import dev.lazyz.FrameContent
 import dev.lazyz.Workers
@@ -24,6 +25,7 @@ import dev.lazyz.strategies.tiled.raster.TileGrid
  * @param bandStart first band
  * @param bandEnd the band after the last
  * @param coverage creates the loops over small triangles, for one thread each
+ * @param checkpoint that of the calling thread
  */
 internal class TriangleBins(
     private val content: FrameContent,
@@ -34,6 +36,7 @@ internal class TriangleBins(
     workers: Workers,
     coverage: () -> SmallTriangleKernel,
     private val pool: ArrayPool,
+    checkpoint: Checkpoint,
 ) {
     private val area = BinArea(grid, bandStart, bandEnd)
     private var bandsLeft = bandEnd - bandStart
@@ -54,21 +57,26 @@ internal class TriangleBins(
         val fillers = List(chunks) {
             BinFiller(it, area, grid, test, coverage(), pool, triangleEnds, fragmentEnds)
         }
-        workers.forEach(chunks) { forEach(it, fillers[it]::enter) }
+        workers.forEach(chunks, checkpoint) { number, own ->
+            forEach(number) { batch, first, count ->
+                own.pass()
+                fillers[number].enter(batch, first, count)
+            }
+        }
         val wide = NearToFar()
         for (filler in fillers) wide.addAll(filler.wide)
         wide.sort()
         val parts = if (wide.count == 0) 0 else minOf(chunks, area.bands)
         val wideParts = List(parts) { WideTriangles(content, area, grid, test, pool, triangleEnds) }
-        workers.forEach(parts) { wideParts[it].enter(wide, it, parts) }
+        workers.forEach(parts, checkpoint) { number, own -> wideParts[number].enter(wide, number, parts, own) }
         val found = fillers.sumOf { it.bytes } + wide.bytes + wideParts.sumOf { it.bytes }
         triangles = pool.longs(ArrayPool.roomy(triangleEnds.sumUp()))
         val fragments = ArrayPool.roomy(fragmentEnds.sumUp())
         keys = pool.longs(fragments)
         places = pool.ints(fragments)
-        workers.forEach(chunks) {
-            if (it < parts) wideParts[it].distribute(triangles)
-            fillers[it].distribute(triangles, keys, places)
+        workers.forEach(chunks, checkpoint) { number, _ ->
+            if (number < parts) wideParts[number].distribute(triangles)
+            fillers[number].distribute(triangles, keys, places)
         }
         bytes = found + triangleEnds.bytes + fragmentEnds.bytes + Int.SIZE_BYTES * places.size.toLong() +
             Long.SIZE_BYTES * (triangles.size + keys.size.toLong())

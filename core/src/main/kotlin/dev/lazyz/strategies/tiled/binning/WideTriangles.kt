@@ -1,5 +1,6 @@
 package dev.lazyz.strategies.tiled.binning
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.DepthTest
 import dev.lazyz.FrameContent
 import dev.lazyz.setup.planar.triangleBatchWith
@@ -30,14 +31,15 @@ internal class WideTriangles(
     /** Peak number of bytes held. */
     val bytes: Long get() = found.bytes + Long.SIZE_BYTES * area.tiles.toLong()
 
-    /** Records all triangles for the tiles of part number [part] of [parts]. */
-    fun enter(triangles: NearToFar, part: Int, parts: Int) {
+    /** Records all triangles for the tiles of part number [part] of [parts]. Passes [checkpoint] for each. */
+    fun enter(triangles: NearToFar, part: Int, parts: Int, checkpoint: Checkpoint) {
         val bandStart = area.bands * part / parts
         val bandEnd = area.bands * (part + 1) / parts
 
         // For each tile, an upper bound of the keys that can be visible
         val farthest = LongArray(area.tiles) { Long.MAX_VALUE }
         for (i in 0 until triangles.count) {
+            checkpoint.pass()
             val nearest = triangles[i]
             val index = test.indexOf(nearest)
             val batch = content.triangleBatchWith(index)

@@ -1,11 +1,13 @@
 package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.Blending
+import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
+import dev.lazyz.raster.sortKeys
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**
@@ -77,8 +79,8 @@ internal class TileLayers(
         samples = samples.copyOf(size + size / 2)
     }
 
-    /** Sorts the fragments, after all have been recorded. */
-    fun order() {
+    /** Sorts the fragments, after all have been recorded. Passes [checkpoint] for each sample that has some. */
+    fun order(checkpoint: Checkpoint) {
         if (isEmpty) return
         if (ends.isEmpty()) ends = IntArray(opaque.size + 1)
         if (ordered.size < count) ordered = LongArray(keys.size)
@@ -86,7 +88,9 @@ internal class TileLayers(
         for (i in 0 until count) ends[samples[i] + 1]++
         for (sample in 0 until opaque.size) ends[sample + 1] += ends[sample]
         for (i in 0 until count) ordered[ends[samples[i]]++] = keys[i]
-        for (sample in 0 until opaque.size) if (end(sample) > start(sample)) ordered.sort(start(sample), end(sample))
+        for (sample in 0 until opaque.size) {
+            if (end(sample) > start(sample)) ordered.sortKeys(checkpoint, start(sample), end(sample))
+        }
     }
 
     private fun start(sample: Int): Int = if (sample == 0) 0 else ends[sample - 1]

@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.Attributes
+import dev.lazyz.Checkpoint
 import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
@@ -12,7 +13,6 @@ import dev.lazyz.Shader
 import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.shading.LateShading
 import dev.lazyz.strategies.tiled.binning.Band
-import dev.lazyz.strategies.tiled.raster.CancellationCheck
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**
@@ -30,7 +30,7 @@ internal class TileShading(
     coherence: Coherence,
     private val kernel: FragmentKernel,
     private val counters: Counters.Builder,
-    private val checkpoint: CancellationCheck,
+    private val checkpoint: Checkpoint,
 ) {
     private val content = frame.content
     private val test = frame.raster.depthTest
@@ -41,7 +41,7 @@ internal class TileShading(
      */
     private val depthTurn = test.depthOf(0)
     private val background = frame.raster.background.toArgb()
-    private val single = LateShading(frame, coherence, counters)
+    private val single = LateShading(frame, coherence, counters, checkpoint)
     private val firstColumn = frame.region.columnStart
 
     /** Disabled if attributes are stepped along rows. */
@@ -287,6 +287,7 @@ internal class TileShading(
     /** Returns a fragment with the colour of the primitive [index], not packed. */
     private fun shaded(x: Int, y: Int, index: Int): Fragment {
         val face = faces.face(index) ?: return single.shaded(x, y, index, primitive(index))
+        checkpoint.pass()
         count(1)
         if (face.isConstant) {
             face.shadeConstant(fragment)

@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.tiled.binning
 
 import dev.lazyz.Coherence
+import dev.lazyz.Checkpoint
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
@@ -73,7 +74,7 @@ class WideTrianglesTest {
         val batch = frame.content.triangleBatch(0)
         for (i in 0 until batch.count) triangles.add(forms.nearest(batch, i))
         triangles.sort()
-        WideTriangles(frame.content, area, grid, test, ArrayPool(), ends).enter(triangles, 0, 1)
+        WideTriangles(frame.content, area, grid, test, ArrayPool(), ends).enter(triangles, 0, 1, Checkpoint.NONE)
         return ends.sumUp()
     }
 

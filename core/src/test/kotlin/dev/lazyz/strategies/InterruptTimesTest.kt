@@ -1,0 +1,115 @@
+package dev.lazyz.strategies
+
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
+import dev.lazyz.drawing.EdgeSet
+import dev.lazyz.drawing.EdgeStyle
+import dev.lazyz.filter.ShadingRate
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.lighting.AmbientOcclusion
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Mesh
+import java.lang.management.ManagementFactory
+import java.util.concurrent.atomic.AtomicReference
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.Timeout
+
+/**
+ * How much processor time the threads of the library take after an interrupt, while they set up, sort, draw, shade and
+ * filter. The promise is 100 ms. Not the clock on the wall: the machine may be busy.
+ */
+class InterruptTimesTest {
+    private val threads = ManagementFactory.getThreadMXBean()
+
+    /** A relief of some 300,000 triangles in an order that is not sorted in any direction. */
+    private val relief = relief(Material())
+
+    private fun relief(material: Material): Mesh {
+        val side = 390
+        val positions = FloatArray(3 * side * side) {
+            val column = it / 3 % side
+            val row = it / 3 / side
+            when (it % 3) {
+                0 -> column / (side - 1f) - 0.5f
+                1 -> row / (side - 1f) - 0.5f
+                else -> 0.01f * ((column * 31 + row * 17) % 50)
+            }
+        }
+        val squares = (side - 1) * (side - 1)
+        val triangles = IntArray(6 * squares) {
+            val square = (it / 6 * 7919L % squares).toInt()
+            val corner = square / (side - 1) * side + square % (side - 1)
+            corner + intArrayOf(0, 1, side, 1, side + 1, side)[it % 6]
+        }
+        return Mesh(positions, triangles, material)
+    }
+
+    private fun scene(mesh: Mesh) = Scene(listOf(mesh), viewpoint = Camera.fit())
+
+    private val raster = Raster(400, 400)
+
+    /** Calls [work], interrupts its thread when it has taken [moment] ms, and returns the milliseconds that follow. */
+    private fun after(moment: Int, work: () -> Unit): Long {
+        val end = AtomicReference<Long>()
+        val thread = Thread {
+            try {
+                // Work that ends early begins again
+                while (true) work()
+            } catch (_: InterruptedException) {
+                end.set(threads.currentThreadCpuTime)
+            }
+        }
+        val before = helpers()
+        thread.start()
+        while (thread.isAlive && threads.getThreadCpuTime(thread.id) < moment * 1_000_000L) Thread.sleep(1)
+        val start = threads.getThreadCpuTime(thread.id) + helpers() - before
+        thread.interrupt()
+        thread.join()
+        return (checkNotNull(end.get()) { "ended without an InterruptedException" } + helpers() - before - start) / 1_000_000
+    }
+
+    /** Processor time of the library's own threads. */
+    private fun helpers(): Long = threads.getThreadInfo(threads.allThreadIds).filterNotNull()
+        .filter { it.threadName.startsWith("lazyz-") }
+        .sumOf { maxOf(threads.getThreadCpuTime(it.threadId), 0) }
+
+    private fun assertShort(name: String, work: () -> Unit) {
+        for (moment in listOf(3, 120)) {
+            val time = after(moment, work)
+            assertTrue(time <= 100, "$name goes on for $time ms after an interrupt at $moment ms")
+        }
+    }
+
+    @Test
+    @Timeout(600)
+    fun allStrategiesEnd() {
+        for (renderer in Renderers.builtIn) {
+            assertShort(renderer.id) { renderer.render(scene(relief).frame(raster)) { _, _, _, _ -> } }
+        }
+    }
+
+    @Test
+    @Timeout(600)
+    fun blendingEnds() {
+        val glass = scene(relief(Material(Rgba.WHITE.withAlpha(0.1f), alphaMode = AlphaMode.BLEND)))
+        for (id in listOf("tiled", "lists", "scanline", "painter")) {
+            val renderer = Renderers.builtIn.first { it.id == id }
+            assertShort("glass by $id") { renderer.render(glass.frame(raster)) { _, _, _, _ -> } }
+        }
+    }
+
+    @Test
+    @Timeout(600)
+    fun setUpFiltersDrawingsAndShadowsEnd() {
+        val renderer = Renderers.builtIn.first { it.id == "zbuffer" }
+        val filtered = SuperSampling(4, rate = ShadingRate.PIXEL)
+        assertShort("set-up") { scene(relief).frame(raster) }
+        assertShort("a filter") { filtered.frame(scene(relief), raster).render(renderer) { _, _, _, _ -> } }
+        assertShort("a drawing") { EdgeStyle(EdgeSet.ALL).drawnOn(scene(relief)).frame(raster) }
+        assertShort("occlusion") { AmbientOcclusion.of(scene(relief)) }
+    }
+}
