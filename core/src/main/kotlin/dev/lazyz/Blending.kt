@@ -15,26 +15,32 @@ package dev.lazyz
  * Source: Thomas Porter and Tom Duff, "Compositing Digital Images", SIGGRAPH 1984, the operator *over*. The paper keeps
  * colours premultiplied. Here the result is divided by its alpha once, because images have straight alpha.
  */
-internal class Blending {
+public class Blending {
     /** Fraction of light that passes through the fragments so far; 1 if there are none. */
     private var transmittance = 1f
     private var weights = 0f
 
     /** Sum of weight times component. After [end]: the colour in linear light, with straight [alpha]. */
-    var red: Float = 0f
+    public var red: Float = 0f
         private set
-    var green: Float = 0f
+
+    /** See [red]. */
+    public var green: Float = 0f
         private set
-    var blue: Float = 0f
+
+    /** See [red]. */
+    public var blue: Float = 0f
         private set
-    var alpha: Float = 0f
+
+    /** See [red]. */
+    public var alpha: Float = 0f
         private set
 
     /** Whether a fragment behind the fragments so far would be visible. */
-    val isOpen: Boolean get() = transmittance > 0f
+    public val isOpen: Boolean get() = transmittance > 0f
 
     /** Starts a new sample. */
-    fun clear() {
+    public fun clear() {
         transmittance = 1f
         weights = 0f
         red = 0f
@@ -43,23 +49,23 @@ internal class Blending {
     }
 
     /** Adds a translucent fragment behind the fragments so far. */
-    fun add(fragment: Fragment) {
+    public fun add(fragment: Fragment) {
         val opacity = clamped(fragment.alpha)
         if (opacity > 0f) add(fragment.red, fragment.green, fragment.blue, opacity)
     }
 
     /** Adds the opaque fragment behind all others, and computes the final colour. */
-    fun end(backdrop: Fragment) {
+    public fun end(backdrop: Fragment) {
         end(backdrop.red, backdrop.green, backdrop.blue, backdrop.alpha)
     }
 
     /** Adds the background behind all fragments, and computes the final colour. */
-    fun end(background: Rgba) {
+    public fun end(background: Rgba) {
         end(background.red, background.green, background.blue, background.alpha)
     }
 
     /** Returns the final colour, packed to 8-bit sRGB, `0xAARRGGBB`. */
-    fun toArgb(): Int = Srgb.pack(red, green, blue, alpha)
+    public fun toArgb(): Int = Srgb.pack(red, green, blue, alpha)
 
     /**
      * Blends one sample, and returns its final colour, packed to 8-bit sRGB. The [layers] translucent fragments have
@@ -67,7 +73,12 @@ internal class Blending {
      * none ([hasBackdrop] is false), the [background] is behind them. [shade] computes the colour of the fragment with
      * a number; it is called only for fragments that are visible.
      */
-    inline fun blend(layers: Int, hasBackdrop: Boolean, background: Rgba, shade: (number: Int) -> Fragment): Int {
+    internal inline fun blend(
+        layers: Int,
+        hasBackdrop: Boolean,
+        background: Rgba,
+        shade: (number: Int) -> Fragment,
+    ): Int {
         clear()
         var number = 0
         while (number < layers && isOpen) add(shade(number++))

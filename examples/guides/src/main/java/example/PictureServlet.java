@@ -103,7 +103,7 @@ public class PictureServlet extends HttpServlet {
         Images.writePng(image, response.getOutputStream());
     }
 
-    private Image picture(byte[] body, SceneFormat format) throws InterruptedException {
+    private Image picture(byte[] body, SceneFormat format) throws IOException, InterruptedException {
         LoadedScene loaded = Scenes.load(new ByteArrayInputStream(body), format, "upload", null, LIMITS);
         long setUp = SetUpMemory.bytes(loaded.getScene());
         requireMemory(setUp <= DRAWING_BYTES);

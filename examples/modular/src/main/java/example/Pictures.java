@@ -9,6 +9,7 @@ import dev.lazyz.strategies.flow.FlowPipeline;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.surface.Sphere;
 import java.io.ByteArrayInputStream;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import org.joml.Vector3d;
 
@@ -22,7 +23,7 @@ class Pictures {
     }
 
     /** Returns the picture of a model that is text, such as OBJ, glTF and scene files. */
-    static Image ofModel(String text, SceneFormat format) throws InterruptedException {
+    static Image ofModel(String text, SceneFormat format) throws IOException, InterruptedException {
         var bytes = new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8));
         var frame = Scenes.load(bytes, format).getScene().frame(64, 48);
         return Renderers.auto(frame).render(frame);

@@ -113,7 +113,7 @@ public class PictureApplication {
         }
     }
 
-    private byte[] png(byte[] model, SceneFormat format) throws InterruptedException {
+    private byte[] png(byte[] model, SceneFormat format) throws IOException, InterruptedException {
         LoadedScene loaded = Scenes.load(model, format, "upload", OPTIONS);
         long setUp = SetUpMemory.bytes(loaded.getScene());
         requireMemory(setUp <= DRAWING_BYTES);

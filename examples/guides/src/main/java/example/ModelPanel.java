@@ -1,0 +1,108 @@
+package example;
+
+import dev.lazyz.Image;
+import dev.lazyz.Renderer;
+import dev.lazyz.aov.Aov;
+import dev.lazyz.aov.AovFrame;
+import dev.lazyz.aov.AovImage;
+import dev.lazyz.aov.AovImages;
+import dev.lazyz.filter.SampledFrame;
+import dev.lazyz.scenes.LoadedScene;
+import dev.lazyz.scenes.PictureSettings;
+import dev.lazyz.scenes.writers.BufferedImages;
+import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.world.Camera;
+import java.awt.Graphics;
+import java.awt.Point;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
+import java.util.EnumSet;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import javax.swing.SwingWorker;
+
+/** A model in a window: dragging turns it, and a click tells the name of the part under the mouse. */
+public final class ModelPanel extends JPanel {
+    private record View(BufferedImage picture, AovImage parts) {}
+
+    private final transient LoadedScene model;
+    private final transient Renderer renderer = new Tiled();
+    private transient SwingWorker<View, Void> work;
+    private transient View view;
+    private double azimuth = 30;
+    private double elevation = 20;
+
+    public ModelPanel(LoadedScene model, Consumer<String> clicked) {
+        this.model = model;
+        MouseAdapter mouse = new MouseAdapter() {
+            private Point last = new Point();
+
+            @Override
+            public void mousePressed(MouseEvent event) {
+                last = event.getPoint();
+            }
+
+            @Override
+            public void mouseDragged(MouseEvent event) {
+                azimuth -= event.getX() - last.x;
+                elevation = Math.max(-90, Math.min(90, elevation + event.getY() - last.y));
+                last = event.getPoint();
+                draw();
+            }
+
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                if (view == null || !view.parts.getRegion().contains(event.getX(), event.getY())) return;
+                String part = view.parts.name(event.getX(), event.getY());
+                if (part != null) clicked.accept(part);
+            }
+        };
+        addMouseListener(mouse);
+        addMouseMotionListener(mouse);
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                draw();
+            }
+        });
+    }
+
+    /** Renders in the background. A rendering that is in progress is interrupted. */
+    private void draw() {
+        if (work != null) work.cancel(true);
+        PictureSettings settings = new PictureSettings(Math.max(getWidth(), 1), Math.max(getHeight(), 1))
+                .withViewpoint(Camera.fit(azimuth, elevation));
+        work = new SwingWorker<>() {
+            @Override
+            protected View doInBackground() throws Exception {
+                SampledFrame frame = settings.frame(model);
+                Image.Collector rows = new Image.Collector(frame.getPixels());
+                AovImages aovs = new AovFrame(frame, EnumSet.of(Aov.OBJECT)).render(renderer, rows);
+                Image image = rows.toImage(aovs.getCounters());
+                return new View(BufferedImages.toBufferedImage(image), aovs.get(Aov.OBJECT));
+            }
+
+            @Override
+            protected void done() {
+                if (isCancelled()) return;
+                try {
+                    view = get();
+                    repaint();
+                } catch (InterruptedException | ExecutionException e) {
+                    throw new IllegalStateException(e);
+                }
+            }
+        };
+        work.execute();
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        super.paintComponent(graphics);
+        if (view != null) graphics.drawImage(view.picture, 0, 0, null);
+    }
+}

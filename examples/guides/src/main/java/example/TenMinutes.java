@@ -1,0 +1,97 @@
+package example;
+
+import dev.lazyz.Image;
+import dev.lazyz.RenderOptions;
+import dev.lazyz.Renderer;
+import dev.lazyz.Rgba;
+import dev.lazyz.aov.Aov;
+import dev.lazyz.aov.AovFrame;
+import dev.lazyz.aov.AovImage;
+import dev.lazyz.filter.SampledFrame;
+import dev.lazyz.lighting.LightRig;
+import dev.lazyz.scenes.LoadedScene;
+import dev.lazyz.scenes.PictureSettings;
+import dev.lazyz.scenes.PictureStyle;
+import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.Turntable;
+import dev.lazyz.scenes.writers.BufferedImages;
+import dev.lazyz.scenes.writers.Images;
+import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.world.Camera;
+import dev.lazyz.world.Scene;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.stream.Collectors;
+
+/** The steps of the guide "Lazy Z from Java in ten minutes". */
+public final class TenMinutes {
+    private TenMinutes() {}
+
+    static Image firstPicture(Path file, Path picture) throws IOException, InterruptedException {
+        LoadedScene model = Scenes.load(file);
+        model.getWarnings().forEach(System.err::println);
+        Image image = new PictureSettings(640, 480).frame(model).render(new Tiled());
+        Images.writePng(image, picture);
+        return image;
+    }
+
+    static LoadedScene painted(LoadedScene model, String part, Rgba color) {
+        Scene scene = model.getScene();
+        return model.withScene(scene.withSurfaces(scene.getSurfaces().stream()
+                .map(surface -> surface.getName().endsWith(part)
+                        ? surface.withMaterials(material -> material.withBaseColor(color))
+                        : surface)
+                .collect(Collectors.toList())));
+    }
+
+    static List<PictureSettings> lights() {
+        PictureSettings plain = new PictureSettings(640, 480);
+        PictureSettings sunny = plain.withLight(LightRig.SUN).withLightIntensity(1.5f);
+        PictureSettings fromAbove = sunny.withViewpoint(Camera.fit(45, 60));
+        PictureSettings product = plain.withStyle(PictureStyle.PRODUCT);
+        return List.of(plain, sunny, fromAbove, product);
+    }
+
+    static BufferedImage thumbnail(Path file) throws IOException, InterruptedException {
+        PictureSettings small = new PictureSettings(128, 128).withBackground(Rgba.TRANSPARENT);
+        return BufferedImages.toBufferedImage(small.frame(Scenes.load(file)).render(new Tiled()));
+    }
+
+    static String pick(LoadedScene model, int x, int y) throws InterruptedException {
+        SampledFrame frame = new PictureSettings(640, 480).frame(model);
+        AovImage parts = new AovFrame(frame, EnumSet.of(Aov.OBJECT)).render(new Tiled()).get(Aov.OBJECT);
+        return parts.name(x, y);
+    }
+
+    static List<BufferedImage> turn(LoadedScene model, int steps) throws InterruptedException, ExecutionException {
+        Turntable turntable = new PictureSettings(320, 240).turntable(model, steps);
+
+        // Many pictures at the same time, each by one thread, are faster than one after the other by all threads
+        RenderOptions one = new RenderOptions().withThreads(1);
+        Renderer renderer = new Tiled(one);
+        List<Callable<BufferedImage>> tasks = new ArrayList<>();
+        for (int i = 0; i < steps; i++) {
+            int step = i;
+            tasks.add(() -> BufferedImages.toBufferedImage(turntable.frame(step, one).render(renderer)));
+        }
+        ExecutorService workers = Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
+        try {
+            List<BufferedImage> pictures = new ArrayList<>();
+            for (Future<BufferedImage> picture : workers.invokeAll(tasks)) {
+                pictures.add(picture.get());
+            }
+            return pictures;
+        } finally {
+            workers.shutdownNow();
+        }
+    }
+}
