@@ -27,6 +27,9 @@ internal interface FrameView {
 
     /** Returns the number of the surface, in the order of the scene, whose primitive has the submission [index]. */
     fun objectOf(index: Int): Int
+
+    /** The names of the surfaces, in the order of the scene; empty if the frame was not set up from one. */
+    val objectNames: List<String>
 }
 
 /** The view of a frame that was not set up from a scene: distances are fractions, and all primitives are one object. */
@@ -42,4 +45,6 @@ internal object NoView : FrameView {
     override fun distance(x: Float, y: Float, z: Float): Double = Double.NaN
 
     override fun objectOf(index: Int): Int = 0
+
+    override val objectNames: List<String> get() = emptyList()
 }

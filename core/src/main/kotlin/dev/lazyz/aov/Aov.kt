@@ -53,7 +53,7 @@ public enum class Aov(
     UV("uv", listOf("u", "v"), false, 0.0, "texture coordinates"),
 
     /**
-     * Number of the surface in [Scene.surfaces], from 0. 0 for all primitives of a frame that was not set up from a
+     * Number of the surface in [Scene.surfaces], from 0; [AovImage.names] has their names. 0 for all primitives of a frame that was not set up from a
      * scene.
      */
     OBJECT("object", listOf("id"), true, -1.0, "number of the surface in the scene"),
@@ -86,6 +86,9 @@ public enum class Aov(
         /** Returns the AOV with this [id], or null. */
         @JvmStatic
         public fun ofId(id: String): Aov? = entries.firstOrNull { it.id == id }
+
+        /** Those that are known by the number of the visible primitive. */
+        internal val WITHOUT_PRIMITIVES: Set<Aov> = setOf(OBJECT, PRIMITIVE, COVERAGE)
 
         /** Returns how many numbers an array can have at most. */
         internal const val MAX_NUMBERS: Long = Int.MAX_VALUE - 8L

@@ -24,11 +24,17 @@ import java.io.IOException
  *
  * @property frame the samples and how they become pixels
  * @property aovs what is computed; may be empty
- * @throws IllegalArgumentException if an AOV of the frame's pixels has more numbers than an array: render regions
+ * @throws IllegalArgumentException if an AOV of the frame's pixels has more numbers than an array: render regions; or
+ *   if the frame is streamed, and an AOV is not [Aov.OBJECT], [Aov.PRIMITIVE] or [Aov.COVERAGE]
  */
 public class AovFrame(public val frame: SampledFrame, public val aovs: Set<Aov>) {
     init {
-        for (aov in aovs) Aov.requireRoom(aov, frame)
+        for (aov in aovs) {
+            Aov.requireRoom(aov, frame)
+            require(!frame.frame.isStreamed || aov in Aov.WITHOUT_PRIMITIVES) {
+                "'${aov.id}' needs all primitives in memory, and those of a streamed frame are not"
+            }
+        }
     }
 
     /** Computes the AOVs, without the picture. Throws like the other [render]. */

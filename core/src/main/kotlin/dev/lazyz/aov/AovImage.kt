@@ -2,6 +2,7 @@ package dev.lazyz.aov
 
 import dev.lazyz.Region
 import dev.lazyz.geometry.UpAxis
+import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
 
 /**
@@ -13,6 +14,8 @@ import org.joml.Vector3d
  * @property lowest the number that formats of limited range show as 0: the near plane for [Aov.DEPTH]
  * @property highest the number that they show as their maximum: the far plane for [Aov.DEPTH]
  * @property samplesPerPixel number of samples of a pixel, over which counts are sums; at least 1
+ * @property names for [Aov.OBJECT], the name of each object of the scene by its number, see [Surface.name]; otherwise
+ *   empty
  */
 public class AovImage private constructor(
     public val aov: Aov,
@@ -22,6 +25,7 @@ public class AovImage private constructor(
     private val reals: FloatArray,
     private val integers: IntArray,
     public val samplesPerPixel: Int,
+    public val names: List<String>,
 ) {
     init {
         require(samplesPerPixel >= 1) { "samplesPerPixel must be at least 1: $samplesPerPixel" }
@@ -36,20 +40,27 @@ public class AovImage private constructor(
      * @throws IllegalArgumentException if [aov] has integers, or [floats] has not the right size
      */
     public constructor(aov: Aov, region: Region, floats: FloatArray, lowest: Double, highest: Double) :
-        this(aov, region, lowest, highest, floats, IntArray(0), 1) {
+        this(aov, region, lowest, highest, floats, IntArray(0), 1, emptyList()) {
         require(!aov.isInteger) { "'${aov.id}' has integers" }
     }
 
     /**
      * Creates an image of an AOV whose numbers are integers.
      *
-     * @throws IllegalArgumentException if [aov] has no integers, [ints] has not the right size, or [samplesPerPixel]
-     *   is below 1
+     * @param names see [AovImage.names]; the list is not copied
+     * @throws IllegalArgumentException if [aov] has no integers, [ints] has not the right size, [samplesPerPixel] is
+     *   below 1, or there are names and [aov] is not [Aov.OBJECT]
      */
     @JvmOverloads
-    public constructor(aov: Aov, region: Region, ints: IntArray, samplesPerPixel: Int = 1) :
-        this(aov, region, aov.background, Int.MAX_VALUE.toDouble(), FloatArray(0), ints, samplesPerPixel) {
+    public constructor(
+        aov: Aov,
+        region: Region,
+        ints: IntArray,
+        samplesPerPixel: Int = 1,
+        names: List<String> = emptyList(),
+    ) : this(aov, region, aov.background, Int.MAX_VALUE.toDouble(), FloatArray(0), ints, samplesPerPixel, names) {
         require(aov.isInteger) { "'${aov.id}' has no integers" }
+        require(names.isEmpty() || aov == Aov.OBJECT) { "'${aov.id}' has no names" }
     }
 
     /** Number of columns. */
@@ -85,6 +96,18 @@ public class AovImage private constructor(
     public fun number(x: Int, y: Int, channel: Int = 0): Double {
         require(region.contains(x, y)) { "pixel must be within $region: ($x, $y)" }
         return numberAt((y - region.rowStart) * width + x - region.columnStart, channel)
+    }
+
+    /**
+     * Returns the name of the object at column [x] and row [y] of the whole picture; an empty text if it has none, and
+     * null if nothing is visible there.
+     *
+     * @throws IllegalArgumentException if the pixel is not in [region], or this is not [Aov.OBJECT]
+     */
+    public fun name(x: Int, y: Int): String? {
+        require(aov == Aov.OBJECT) { "'${aov.id}' has no names: ask for '${Aov.OBJECT.id}'" }
+        val number = number(x, y).toInt()
+        return if (number < 0) null else names.getOrElse(number) { "" }
     }
 
     /**

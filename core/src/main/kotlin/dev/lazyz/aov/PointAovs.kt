@@ -69,7 +69,7 @@ internal class PointAovs(private val sampled: SampledFrame, private val aovs: Li
         indices?.set(at, index)
         objects?.set(at, if (isCovered) view.objectOf(index) else index)
         depths?.set(at, Float.POSITIVE_INFINITY)
-        if (!isCovered) return
+        if (!isCovered || (depths == null && !needsGeometry)) return
         val primitive = primitives[index]
         depths?.set(at, distance(x, primitive))
         if (needsGeometry) {
@@ -127,7 +127,7 @@ internal class PointAovs(private val sampled: SampledFrame, private val aovs: Li
     /** Returns the images, without copying them. Call it once, after the last row. */
     fun images(): List<AovImage> = aovs.map { aov ->
         when (aov) {
-            Aov.OBJECT -> AovImage(aov, pixels, objects!!)
+            Aov.OBJECT -> AovImage(aov, pixels, objects!!, names = view.objectNames)
             Aov.PRIMITIVE -> AovImage(aov, pixels, indices!!)
             Aov.DEPTH -> AovImage(aov, pixels, depths!!, view.near, view.far)
             Aov.NORMAL -> AovImage(aov, pixels, normals!!, -1.0, 1.0)

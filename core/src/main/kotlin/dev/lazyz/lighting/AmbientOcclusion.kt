@@ -11,8 +11,7 @@ import dev.lazyz.world.surface.Points
  * Which part of a uniform sky each point of a scene sees: hollows and contacts are darker.
  *
  * ```
- * val occlusion = AmbientOcclusion.of(scene)
- * val soft = scene.withMaterials { it.asMetallicRoughness() }.withAmbientVisibility(occlusion)
+ * val soft = AmbientOcclusion.of(scene).on(scene)
  * ```
  *
  * The scene is rendered once from each of many directions, without colours, to a small map of distances. At a sample,
@@ -49,6 +48,9 @@ public class AmbientOcclusion private constructor(private val maps: List<Distanc
         }
         return if (all > 0f) open / all else 1f
     }
+
+    /** Returns [scene] with this occlusion, and with materials that it makes darker everywhere. */
+    public fun on(scene: Scene): Scene = scene.withMaterials { it.asMetallicRoughness() }.withAmbientVisibility(this)
 
     override fun toString(): String = "AmbientOcclusion(${maps.size} directions)"
 

@@ -16,13 +16,12 @@ import org.joml.Vector3dc
 
 /**
  * The soft shadow of a scene on level ground below it: a square just below the lowest point that darkens the background
- * where the scene hides the sky, and is not visible otherwise. Add it to the scene as its last surface, with a camera
- * from [camera], between whose planes it is.
+ * where the scene hides the sky, and is not visible otherwise. [on] adds it to the scene as its last surface, with a
+ * camera between whose planes it is.
  *
  * ```
- * val shadow = GroundShadow.of(scene)
- * val picture = scene.withSurfaces(scene.surfaces + shadow)
- *     .withViewpoint { all, aspect -> shadow.camera(scene.viewpoint.camera(all, aspect)) }
+ * val seen = scene.withViewpoint(scene.camera(640, 480))
+ * val picture = GroundShadow.of(seen).on(seen)
  * ```
  *
  * The shadow is blended with the background of the raster, so it needs no renderer that blends. In front of a
@@ -56,6 +55,16 @@ public class GroundShadow private constructor(
         val isPerspective = camera.projection is Projection.Perspective
         val nearest = if (isPerspective) maxOf(middle - radius, camera.near * NEAREST) else middle - radius
         return camera.withPlanes(minOf(camera.near, nearest), maxOf(camera.far, middle + radius))
+    }
+
+    /**
+     * Returns [scene] with this shadow as its last surface. If its viewpoint is a camera, its planes are moved as
+     * [camera] does.
+     */
+    public fun on(scene: Scene): Scene {
+        val viewpoint = scene.viewpoint
+        val moved = if (viewpoint is Camera) scene.withViewpoint(camera(viewpoint)) else scene
+        return moved.withSurfaces(scene.surfaces + this)
     }
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> {

@@ -82,6 +82,7 @@ internal class MeshCut(private val mesh: Mesh, plane: SectionPlane) {
             mesh.normals?.let { gathered(vertices, it, 3) },
             mesh.uvs?.let { gathered(vertices, it, 2) }, mesh.colors?.let { gathered(vertices, it, 4) }, mesh.origin,
             mesh.uvs2?.let { gathered(vertices, it, 2) }, mesh.tangents?.let { gathered(vertices, it, 4) },
+            mesh.name,
         )
     }
 

@@ -82,7 +82,7 @@ public class Section @JvmOverloads constructor(
         if (!polygon.contours.all { contour -> contour.all { it.isFinite } }) return polygon
         if (polygon.contours.all { contour -> contour.all { plane.height(it.x, it.y, it.z) <= 0.0 } }) return polygon
         val contours = ContourCut.of(polygon.contours, polygon.fillRule, plane).filter { it.size >= 3 }
-        return if (contours.isEmpty()) null else Polygon(contours, polygon.material, polygon.fillRule)
+        return if (contours.isEmpty()) null else Polygon(contours, polygon.material, polygon.fillRule, polygon.name)
     }
 
     /** Returns the caps of [meshes] on [plane], cut by the other planes. */
@@ -91,17 +91,17 @@ public class Section @JvmOverloads constructor(
         var open = 0
 
         // What is open, by origin: meshes far from that of the world have others, and have no contours in common
-        class Rest(val material: Material, val contours: Contours)
+        class Rest(val mesh: Mesh, val contours: Contours)
         val rests = LinkedHashMap<Vector3dc, Rest>()
         for (mesh in meshes) {
             val contours = Contours()
             MeshCut(mesh, plane).addSegments(contours)
-            caps += cap(contours, mesh.origin, mesh.material, plane)
+            caps += cap(contours, mesh, plane)
             if (contours.openSegments.isEmpty()) continue
-            rests.getOrPut(mesh.origin) { Rest(mesh.material, Contours()) }.contours.addAll(contours.openSegments)
+            rests.getOrPut(mesh.origin) { Rest(mesh, Contours()) }.contours.addAll(contours.openSegments)
         }
-        for ((origin, rest) in rests) {
-            caps += cap(rest.contours, origin, rest.material, plane)
+        for (rest in rests.values) {
+            caps += cap(rest.contours, rest.mesh, plane)
             open += rest.contours.openCount
         }
         if (open > 0) {
@@ -111,13 +111,15 @@ public class Section @JvmOverloads constructor(
         return caps.filterNotNull()
     }
 
-    private fun cap(contours: Contours, origin: Vector3dc, material: Material, plane: SectionPlane): Polygon? {
+    /** Returns the cap in [contours], which begin in [mesh] and get the material made of its own, and its name. */
+    private fun cap(contours: Contours, mesh: Mesh, plane: SectionPlane): Polygon? {
+        val origin = mesh.origin
         val loops = contours.loops().map { loop ->
             List(loop.size / 3) {
                 Vertex(origin.x() + loop[3 * it], origin.y() + loop[3 * it + 1], origin.z() + loop[3 * it + 2])
             }
         }
-        val whole = Polygon(loops, capMaterial.apply(material), FillRule.NON_ZERO)
+        val whole = Polygon(loops, capMaterial.apply(mesh.material), FillRule.NON_ZERO, mesh.name)
         if (loops.isEmpty()) return null
         val others = distinctPlanes.filter { it !== plane }
         return others.fold(whole as Polygon?) { rest, other -> rest?.let { cut(it, other) } }

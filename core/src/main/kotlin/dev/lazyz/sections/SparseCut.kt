@@ -14,7 +14,7 @@ internal object SparseCut {
         return Points(
             gathered(p, kept, 3), points.size, points.material, points.normals?.let { gathered(it, kept, 3) },
             points.colors?.let { gathered(it, kept, 4) },
-            points.origin,
+            points.origin, points.name,
         )
     }
 
@@ -45,7 +45,7 @@ internal object SparseCut {
         if (positions.isEmpty()) return null
         val segments = IntArray(positions.size / 3) { it }
         val all = if (colors == null) null else shades.toFloatArray()
-        return Lines(positions.toFloatArray(), segments, lines.width, lines.material, all, lines.origin)
+        return Lines(positions.toFloatArray(), segments, lines.width, lines.material, all, lines.origin, lines.name)
     }
 
     private fun height(p: FloatArray, origin: Vector3dc, i: Int, plane: SectionPlane): Double =

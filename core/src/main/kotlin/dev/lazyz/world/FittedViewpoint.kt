@@ -133,9 +133,27 @@ public class FittedViewpoint internal constructor(
     override fun toString(): String = "FittedViewpoint(azimuth=$azimuth, elevation=$elevation, zoom=$zoom, $kind, " +
         "margin=$margin, fieldOfView=$fieldOfView)"
 
-    private companion object {
+    public companion object {
+        /**
+         * Returns a rule that shows the whole scene from the side from which [viewpoint] shows it, with the same kind of
+         * projection: [viewpoint] itself if it is fitted; from the direction of a [Camera]; or the usual one.
+         */
+        @JvmStatic
+        public fun like(viewpoint: Viewpoint): FittedViewpoint {
+            if (viewpoint is FittedViewpoint) return viewpoint
+            if (viewpoint !is Camera) return Camera.fit()
+
+            // The third row of the view matrix points from the scene to the eye
+            val view = viewpoint.viewMatrix()
+            return Camera.fit(
+                StrictMath.toDegrees(StrictMath.atan2(view.m02(), view.m22())),
+                StrictMath.toDegrees(StrictMath.asin(view.m12().coerceIn(-1.0, 1.0))).coerceIn(-90.0, 90.0),
+                kind = if (viewpoint.projection is Projection.Perspective) Fit.PERSPECTIVE else Fit.ORTHOGRAPHIC,
+            )
+        }
+
         /** Horizontal part of the direction below which the y axis does not say reliably what is up in the image. */
-        const val POLE = 1e-5
+        private const val POLE = 1e-5
     }
 }
 

@@ -27,7 +27,7 @@ internal class FrameAssembly(private val surfaces: List<Surface>, private val se
      */
     fun content(): FrameContent = if (surfaces.any { it is StreamedMesh }) streamed() else inMemory()
 
-    private fun view(): FrameView = SceneView(setUp.camera, setUp.origin, starts)
+    private fun view(): FrameView = SceneView(setUp.camera, setUp.origin, starts, surfaces.map { it.name })
 
     private fun inMemory(): FrameContent {
         val content = FrameContent.Builder()

@@ -8,8 +8,12 @@ import org.joml.Vector3dc
  *
  * @param starts submission index of the first primitive of each surface
  */
-internal class SceneView(private val camera: Camera, private val origin: Vector3dc, private val starts: IntArray) :
-    FrameView {
+internal class SceneView(
+    private val camera: Camera,
+    private val origin: Vector3dc,
+    private val starts: IntArray,
+    override val objectNames: List<String>,
+) : FrameView {
     override val near: Double get() = camera.near
     override val far: Double get() = camera.far
     override val originX: Double get() = origin.x()

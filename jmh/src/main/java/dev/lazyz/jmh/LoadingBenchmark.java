@@ -75,13 +75,13 @@ public class LoadingBenchmark {
 
     /** Reads the file, and computes smooth normals. */
     @Benchmark
-    public LoadedScene load() {
+    public LoadedScene load() throws IOException {
         return Scenes.load(file);
     }
 
     /** Reads the file into a mesh without normals: parses, checks, and merges equal corners of STL. */
     @Benchmark
-    public LoadedScene read() {
+    public LoadedScene read() throws IOException {
         return Scenes.load(file, READING);
     }
 

@@ -32,6 +32,7 @@ import dev.lazyz.world.Viewpoint
  * @property background the colour around the surfaces; by default that of the file
  * @property sampling the samples of a pixel; by default [USUAL_FACTOR] x [USUAL_FACTOR], or one where that is not
  *   possible, see [SuperSampling.obstacle]
+ * @property style what `zcli render --style` does; null for none. The [viewpoint] and the [background] take precedence
  */
 public class PictureSettings private constructor(
     public val size: ImageSize,
@@ -41,6 +42,7 @@ public class PictureSettings private constructor(
     public val lightIntensity: Float?,
     public val background: Rgba?,
     public val sampling: SuperSampling?,
+    public val style: PictureStyle?,
 ) {
     /**
      * @param width number of columns, 1..[dev.lazyz.Raster.MAX_SIDE]
@@ -48,7 +50,7 @@ public class PictureSettings private constructor(
      * @throws IllegalArgumentException if a side is out of range
      */
     public constructor(width: Int, height: Int) :
-        this(ImageSize(width, height), null, null, null, null, null, null)
+        this(ImageSize(width, height), null, null, null, null, null, null, null)
 
     public fun withSize(size: ImageSize): PictureSettings = copy(size = size)
 
@@ -71,6 +73,8 @@ public class PictureSettings private constructor(
 
     public fun withSampling(sampling: SuperSampling?): PictureSettings = copy(sampling = sampling)
 
+    public fun withStyle(style: PictureStyle?): PictureSettings = copy(style = style)
+
     private fun copy(
         size: ImageSize = this.size,
         viewpoint: Viewpoint? = this.viewpoint,
@@ -79,7 +83,8 @@ public class PictureSettings private constructor(
         lightIntensity: Float? = this.lightIntensity,
         background: Rgba? = this.background,
         sampling: SuperSampling? = this.sampling,
-    ) = PictureSettings(size, viewpoint, up, light, lightIntensity, background, sampling)
+        style: PictureStyle? = this.style,
+    ) = PictureSettings(size, viewpoint, up, light, lightIntensity, background, sampling, style)
 
     /**
      * Sets up the picture of [loaded].
@@ -88,13 +93,19 @@ public class PictureSettings private constructor(
      * @throws NoPictureException if no camera shows the model, because its numbers would be beyond their range, or if
      *   the chosen [sampling] is not possible
      * @throws UnsupportedOperationException if the scene cannot be rotated, see [Scene.withUpAxis]
-     * @throws InterruptedException as [Scene.frame]
+     * @throws InterruptedException as [Scene.frame], and while shadows of a [style] are computed
      */
     @JvmOverloads
     @Throws(InterruptedException::class)
     public fun frame(loaded: LoadedScene, options: RenderOptions = RenderOptions()): SampledFrame {
-        val scene = loaded.lit(seen(loaded), light, lightIntensity)
-        val raster = loaded.depth.raster(size.width, size.height, background ?: scene.background)
+        val upright = upright(loaded)
+        val seen = seen(upright)
+        val lit = loaded.lit(style?.painted(seen) ?: seen, light, lightIntensity)
+        val raster = loaded.depth.raster(size.width, size.height, background ?: lit.background)
+        val finished = style?.finished(lit, raster, options) ?: lit
+
+        // Of a camera that is no rule, the planes stay where they are
+        val scene = if (upright.viewpoint is Camera) finished.withViewpoint(upright.viewpoint) else finished
         if (sampling != null) {
             sampling.obstacle(scene, raster)?.let { throw NoPictureException(it) }
             return sampling.frame(scene, raster, options)
@@ -103,11 +114,28 @@ public class PictureSettings private constructor(
         return (if (isPossible) USUAL_SAMPLING else SuperSampling.NONE).frame(scene, raster, options)
     }
 
-    /** Returns the scene with its camera. */
-    private fun seen(loaded: LoadedScene): Scene {
+    /**
+     * Returns the pictures of a turn around [loaded] in equal [steps]. The [viewpoint] chooses the side at which it
+     * begins.
+     *
+     * @throws NoPictureException if the scene is given on the screen
+     * @throws IllegalArgumentException if [steps] is below 1
+     * @throws UnsupportedOperationException if the scene cannot be rotated, see [Scene.withUpAxis]
+     */
+    public fun turntable(loaded: LoadedScene, steps: Int): Turntable = Turntable(this, loaded, steps)
+
+    /** Returns the scene of [loaded], in which y points up, with the viewpoint of these settings. */
+    internal fun upright(loaded: LoadedScene): Scene {
         if (loaded.scene.isOnScreen) return loaded.scene
         val own = if (loaded.cameras.isEmpty()) loaded.scene.viewpoint else Camera.fit()
         val upright = loaded.scene.withViewpoint(viewpoint ?: own).withUpAxis(up ?: loaded.usualUp)
+        if (viewpoint != null || style == null) return upright
+        return upright.withViewpoint(style.framed(upright.viewpoint))
+    }
+
+    /** Returns [upright] with its camera. */
+    private fun seen(upright: Scene): Scene {
+        if (upright.isOnScreen) return upright
         val camera = try {
             upright.camera(size.width, size.height)
         } catch (e: IllegalArgumentException) {

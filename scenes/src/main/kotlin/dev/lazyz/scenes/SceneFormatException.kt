@@ -1,8 +1,13 @@
 package dev.lazyz.scenes
 
+import java.io.IOException
+
 /**
  * Reports a file that cannot be read or understood. Every reader of this module throws only this exception for bad
  * input. If the bytes could not be read at all, it is a [SceneReadException].
+ *
+ * It is an [IOException], so in Java it is caught or declared where a file is read. Only while a scene that is read
+ * part by part ([Scenes.stream]) is rendered, it comes as the cause of an [java.io.UncheckedIOException].
  *
  * The message is complete and addressed to the user of the file: where the problem is, what is wrong, what to do. It
  * is safe to print on a terminal: it has no control characters, and words from the file are cut after 400 characters.
@@ -20,7 +25,7 @@ public open class SceneFormatException @JvmOverloads constructor(
     public val problem: String,
     public val remedy: String? = null,
     cause: Throwable? = null,
-) : RuntimeException(
+) : IOException(
     printable(
         buildString {
             append(source)

@@ -13,8 +13,9 @@ import java.nio.file.Path
 /**
  * Loads scenes from files and streams in all supported formats, and creates the built-in scenes.
  *
- * A file that cannot be read at all, for example because it is missing, is a [SceneReadException]; other
- * [SceneFormatException]s are about what is in it.
+ * What goes wrong is a [SceneFormatException], a checked exception in Java: a subclass of [java.io.IOException]. A file
+ * that cannot be read at all, for example because it is missing, is a [SceneReadException]; others are about what is in
+ * the file. Both have a message for the user.
  *
  * Thread safe. If the calling thread is interrupted, reading ends after some milliseconds of work with a
  * [SceneFormatException], and the interrupt status stays set; the smooth normals of a mesh are finished first. Lines of
@@ -39,11 +40,12 @@ public object Scenes {
      * Files that this file refers to are read too, as far as [LoadLimits.references] of [limits] allows.
      *
      * @param limits limits on what the file can request
-     * @throws SceneFormatException if the file is missing, empty, a folder, a pipe, too large, unreadable, of no
-     *   known format, invalid in its format, or exceeds one of the [limits]
+     * @throws SceneFormatException an [java.io.IOException], if the file is missing, empty, a folder, a pipe, too large,
+     *   unreadable, of no known format, invalid in its format, or exceeds one of the [limits]
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(SceneFormatException::class)
     public fun load(path: Path, limits: LoadLimits = LoadLimits()): LoadedScene =
         load(path, LoadOptions(limits))
 
@@ -53,6 +55,7 @@ public object Scenes {
      * @throws SceneFormatException as above
      */
     @JvmStatic
+    @Throws(SceneFormatException::class)
     public fun load(path: Path, options: LoadOptions): LoadedScene =
         SceneReading.read(path, SceneFormat.ofFileName(path.toString()), options)
 
@@ -63,6 +66,7 @@ public object Scenes {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(SceneFormatException::class)
     public fun load(path: Path, format: SceneFormat, limits: LoadLimits = LoadLimits()): LoadedScene =
         load(path, format, LoadOptions(limits))
 
@@ -72,6 +76,7 @@ public object Scenes {
      * @throws SceneFormatException as above
      */
     @JvmStatic
+    @Throws(SceneFormatException::class)
     public fun load(path: Path, format: SceneFormat, options: LoadOptions): LoadedScene =
         SceneReading.read(path, format, options)
 
@@ -87,6 +92,7 @@ public object Scenes {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(SceneFormatException::class)
     public fun load(
         input: InputStream,
         format: SceneFormat,
@@ -101,6 +107,7 @@ public object Scenes {
      * @throws SceneFormatException as above
      */
     @JvmStatic
+    @Throws(SceneFormatException::class)
     public fun load(
         input: InputStream,
         format: SceneFormat,
@@ -119,6 +126,7 @@ public object Scenes {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(SceneFormatException::class)
     public fun load(
         bytes: ByteArray,
         format: SceneFormat,
@@ -151,6 +159,7 @@ public object Scenes {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(SceneFormatException::class)
     public fun stream(
         path: Path,
         format: SceneFormat? = SceneFormat.ofFileName(path.toString()),
@@ -166,6 +175,7 @@ public object Scenes {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(SceneFormatException::class)
     public fun stream(
         input: InputStream,
         format: SceneFormat,
@@ -195,6 +205,7 @@ public object Scenes {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(SceneFormatException::class)
     public fun texture(path: Path, limits: LoadLimits = LoadLimits()): Texture = SceneReading.texture(path, limits)
 
     /**

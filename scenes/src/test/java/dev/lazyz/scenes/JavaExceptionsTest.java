@@ -9,6 +9,7 @@ import dev.lazyz.aov.Aov;
 import dev.lazyz.aov.AovImage;
 import dev.lazyz.scenes.aov.AovFiles;
 import dev.lazyz.scenes.html.Html;
+import dev.lazyz.scenes.pictures.Picture;
 import dev.lazyz.scenes.scenefile.SceneFile;
 import dev.lazyz.scenes.writers.AlphaChannel;
 import dev.lazyz.scenes.writers.ImageFiles;
@@ -129,6 +130,58 @@ class JavaExceptionsTest {
             caught.add("publish");
         }
         assertEquals(List.of("scene", "aov", "aovs", "html", "publish"), caught);
+    }
+
+    @Test
+    void models() {
+        Path none = missing("a.obj");
+        try {
+            Scenes.load(none);
+        } catch (IOException e) {
+            caught.add("model");
+        }
+        try {
+            Scenes.load(new byte[] {1}, SceneFormat.OBJ);
+        } catch (SceneReadException e) {
+            caught.add("unreadable");
+        } catch (SceneFormatException e) {
+            caught.add("bytes");
+        }
+        try {
+            Scenes.stream(none).close();
+        } catch (IOException e) {
+            caught.add("stream");
+        }
+        try {
+            Scenes.texture(none);
+        } catch (IOException e) {
+            caught.add("texture");
+        }
+        try {
+            Picture.read(none);
+        } catch (IOException e) {
+            caught.add("picture");
+        }
+        try {
+            SceneFile.parse("{");
+        } catch (IOException e) {
+            caught.add("scene");
+        }
+        assertEquals(List.of("model", "bytes", "stream", "texture", "picture", "scene"), caught);
+    }
+
+    /** The file that is written is not what is wrong. */
+    @Test
+    void modelsThatAreDrawnIntoAFile() throws InterruptedException {
+        try {
+            ImageFiles.write(folder.resolve("a.png"), 2, 2, sink -> {
+                Scenes.load(missing("a.obj"));
+                return send(sink);
+            });
+        } catch (IOException e) {
+            caught.add(e.getMessage());
+        }
+        assertEquals(List.of(missing("a.obj") + ": there is no such file; check the name"), caught);
     }
 
     @Test

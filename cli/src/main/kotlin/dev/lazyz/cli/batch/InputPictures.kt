@@ -6,7 +6,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.input.Turn
-import dev.lazyz.cli.input.Turntable
+import dev.lazyz.cli.input.Turns
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.output.StatisticsTable
@@ -82,7 +82,7 @@ internal class InputPictures(
 
     /** The pictures from one side. */
     private inner class Pictures(private val view: ViewPlan, private val statistics: StringBuilder) {
-        private val turntable = request.series.turntable?.let { Turntable(it) }
+        private val turntable = request.series.turntable?.let { Turns(it) }
 
         fun setUp(frame: Int): Shot = shares.threads.forPicture { threads -> setUp(frame, threads) }
 

@@ -89,13 +89,14 @@ internal class FrameSource(
         if (pointOfView.lacksCamera(loaded)) {
             streams.warning("--camera scene: ${input.name} has no camera, and is shown as a whole")
         }
-        val cut = loaded.withScene(lineWork.cut(loaded.scene) { streams.warning(it) })
+        val painted = subject.style?.painted(loaded.scene) ?: loaded.scene
+        val cut = loaded.withScene(lineWork.cut(painted) { streams.warning(it) })
         val upright = try {
             pointOfView.applyTo(cut, up)
         } catch (e: UnsupportedOperationException) {
             throw Mistake("--up: ${e.message}")
         }
-        val seen = lineWork.colored(subject.sizes.applyTo(upright), subject.shading != null)
+        val seen = subject.sizes.applyTo(upright)
         val colored = paint(seen)?.applyTo(seen) ?: seen
         val shaded = if (subject.changesMaterials) colored.withMaterials(::changed) else colored
 

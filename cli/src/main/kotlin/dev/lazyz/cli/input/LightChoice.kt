@@ -11,6 +11,7 @@ import dev.lazyz.lighting.LightRig
 import dev.lazyz.lighting.Matcap
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.PictureStyle
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
@@ -102,12 +103,11 @@ internal class LightChoice(
         val directions = (if (isOccluded) AmbientOcclusion.DEFAULT_DIRECTIONS else 0) +
             (if (hasGroundShadow) GroundShadow.DIRECTIONS else 0)
         val progress = Progress(streams, directions, "directions", "shadows")
-        val soft = if (isOccluded) occluded(scene, options, progress) else scene
+        val soft =
+            if (isOccluded) AmbientOcclusion.of(scene, options = options) { progress.advance() }.on(scene) else scene
         if (!hasGroundShadow) return soft
-        val shadow = GroundShadow.of(scene, options = options) { progress.advance() }
-        val camera = scene.viewpoint as Camera
-        return soft.withSurfaces(soft.surfaces + shadow)
-            .withViewpoint(if (hasFreePlanes) shadow.camera(camera) else camera)
+        val shadowed = GroundShadow.of(scene, options = options) { progress.advance() }.on(soft)
+        return if (hasFreePlanes) shadowed else shadowed.withViewpoint(scene.viewpoint)
     }
 
     private fun captured(scene: Scene, file: Path, color: Rgba?, limits: LoadLimits): Scene {
@@ -116,8 +116,4 @@ internal class LightChoice(
         val shader = Matcap(picture, scene.viewpoint as Camera, scene.origin, color ?: Rgba.WHITE)
         return scene.withMaterials { it.withShader(shader) }
     }
-
-    private fun occluded(scene: Scene, options: RenderOptions, progress: Progress): Scene =
-        scene.withMaterials { it.asMetallicRoughness() }
-            .withAmbientVisibility(AmbientOcclusion.of(scene, options = options) { progress.advance() })
 }

@@ -8,6 +8,7 @@ import dev.lazyz.drawing.EdgeSet
 import dev.lazyz.drawing.EdgeStyle
 import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.drawing.HiddenLines
+import dev.lazyz.scenes.PictureStyle
 import dev.lazyz.sections.Hatching
 import dev.lazyz.sections.Section
 import dev.lazyz.sections.SectionPlane
@@ -26,7 +27,7 @@ internal class LineWork(
     private val width: Double?,
     color: Rgba?,
     hiddenColor: Rgba?,
-    style: PictureStyle?,
+    private val style: PictureStyle?,
     private val cuts: List<Cut>,
     private val capColor: Rgba?,
 ) {
@@ -100,56 +101,26 @@ internal class LineWork(
         capColor != null -> Section.capColor(material, capColor)
         isTechnical -> hatching(scene).material()
         else -> Section.darkened(material)
-    }.withName(CAP)
+    }
 
     private fun hatching(scene: Scene): Hatching {
         val size = scene.bounds?.let { maxOf(it.maxX - it.minX, it.maxY - it.minY, it.maxZ - it.minZ) } ?: 0.0
         return Hatching(if (size > 0.0) size / HATCHES else 1.0, HATCH_SHARE, Rgba.ofRgb(HATCH_COLOR), Rgba.WHITE)
     }
 
-    /** Returns [scene] with the colours of the style. [isShaded] is whether the user chose a shading. */
-    fun colored(scene: Scene, isShaded: Boolean): Scene {
-        if (!isTechnical) return scene
-        val shading = if (isShaded) null else Shading.CONSTANT
-        return scene.withMaterials { if (it.name == CAP) it else white(it, shading) }.withBackground(Rgba.WHITE)
-    }
-
-    private fun white(material: Material, shading: Shading?): Material = Material(
-        shading = shading ?: material.shading,
-        sides = material.sides,
-        name = material.name,
-    )
-
     /** Returns [scene] with the edges drawn, for the pixels of [raster]. */
     fun drawnOn(scene: Scene, raster: Raster): Scene {
         if (edges == null) return scene
-        val style = edges.withWidth(width ?: usualWidth(raster))
-        return scene.withSurfaces(scene.surfaces + EdgeDrawing(scene.surfaces, style))
-    }
-
-    /** Returns the width of lines that look the same in large and in small pictures, pixels. */
-    private fun usualWidth(raster: Raster): Double {
-        val scale = minOf(raster.width, raster.height) / USUAL_SIDE
-        return (if (isTechnical) TECHNICAL_WIDTH else 1.0) * scale.coerceIn(LEAST_SCALE, MOST_SCALE)
+        val drawing = edges.withWidth(width ?: PictureStyle.lineWidth(raster, style))
+        return scene.withSurfaces(scene.surfaces + EdgeDrawing(scene.surfaces, drawing))
     }
 
     private companion object {
-        /** The width of lines in technical drawings, pixels in a picture of [USUAL_SIDE]; otherwise it is 1. */
-        const val TECHNICAL_WIDTH = 1.5
-
-        /** The shorter side of a picture, pixels, and how much lines grow and shrink with it. */
-        const val USUAL_SIDE = 480.0
-        const val LEAST_SCALE = 0.5
-        const val MOST_SCALE = 8.0
-
         /** Number of stripes of a cap along the model, the part of it that they cover, and their colour. */
         const val HATCHES = 40
         const val HATCH_SHARE = 0.2
         const val HATCH_COLOR = 0x606060
 
         const val CREASE_ANGLE = "--crease-angle"
-
-        /** The name of the material of caps. */
-        const val CAP = "cap"
     }
 }

@@ -38,16 +38,18 @@ internal class Paint(private val color: Rgba?, private val texture: Texture?) {
 
     /** Returns [surface] without colours of vertices. */
     private fun plain(surface: Surface): Surface = when (surface) {
-        is Mesh -> with(surface) { Mesh(positions, triangles, material, normals, uvs, null, origin, uvs2, tangents) }
+        is Mesh -> with(surface) {
+            Mesh(positions, triangles, material, normals, uvs, null, origin, uvs2, tangents, name)
+        }
         is StreamedMesh -> surface.withoutColors()
-        is Points -> with(surface) { Points(positions, size, material, normals, null, origin) }
-        is Lines -> with(surface) { Lines(positions, segments, width, material, null, origin) }
+        is Points -> with(surface) { Points(positions, size, material, normals, null, origin, name) }
+        is Lines -> with(surface) { Lines(positions, segments, width, material, null, origin, name) }
         is Polygon -> with(surface) {
             Polygon(
                 contours.map { contour ->
                     contour.map { Vertex(it.x, it.y, it.z, it.u, it.v) }
                 },
-                material, fillRule
+                material, fillRule, name,
             )
         }
         else -> surface

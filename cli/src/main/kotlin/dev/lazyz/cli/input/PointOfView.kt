@@ -3,6 +3,7 @@ package dev.lazyz.cli.input
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.PictureStyle
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
 import dev.lazyz.world.FittedViewpoint
@@ -126,7 +127,7 @@ internal class PointOfView(
     private fun framed(viewpoint: Viewpoint): Viewpoint {
         val isOnScreen = (viewpoint as? Camera)?.projection == Projection.Screen
         if (fitting.isEmpty() && (turn == null || isOnScreen)) return viewpoint
-        val own = framing(viewpoint)
+        val own = FittedViewpoint.like(viewpoint)
         return Camera.fit(
             azimuth ?: view?.azimuth ?: own.azimuth,
             elevation ?: view?.elevation ?: own.elevation,
@@ -138,25 +139,7 @@ internal class PointOfView(
     }
 
     /** Returns a camera that shows the whole scene, with the direction and projection of [viewpoint]. */
-    private fun whole(viewpoint: Viewpoint): Viewpoint {
-        val own = framing(viewpoint)
-        return Camera.fit(own.azimuth, own.elevation, 1.0, own.kind, own.margin, own.fieldOfView)
-    }
-
-    /** Returns a fitted camera with the direction and projection of [viewpoint]. */
-    private fun framing(viewpoint: Viewpoint): FittedViewpoint {
-        if (viewpoint is FittedViewpoint) return viewpoint
-        if (viewpoint !is Camera) return Camera.fit()
-
-        // The third row of the view matrix points from the scene to the eye
-        val view = viewpoint.viewMatrix()
-        return Camera.fit(
-            StrictMath.toDegrees(StrictMath.atan2(view.m02(), view.m22())),
-            StrictMath.toDegrees(StrictMath.asin(view.m12().coerceIn(-1.0, 1.0))).coerceIn(-90.0, 90.0),
-            1.0,
-            if (viewpoint.projection is Projection.Perspective) Fit.PERSPECTIVE else Fit.ORTHOGRAPHIC,
-        )
-    }
+    private fun whole(viewpoint: Viewpoint): Viewpoint = FittedViewpoint.like(viewpoint).withZoom(1.0)
 
     /** Field of view of a camera that stands where the user says, so that it is not fitted; null if not given. */
     private val standingFieldOfView: Double?
@@ -196,7 +179,7 @@ internal class PointOfView(
 
     private fun turned(viewpoint: Viewpoint): Viewpoint {
         if (turn == null) return viewpoint
-        if (viewpoint is FittedViewpoint) return TurntableViewpoint(viewpoint, turn)
+        if (viewpoint is FittedViewpoint) return turn.viewpoint(viewpoint)
         throw Mistake("--turntable: a scene given on the screen has no camera that could go around it")
     }
 
@@ -221,7 +204,7 @@ internal class PointOfView(
          * Returns the vertical field of view, in degrees, of a camera with this one that magnifies by [zoom]: at 1,
          * exactly this one.
          */
-        fun narrowed(degrees: Double, zoom: Double): Double {
+        private fun narrowed(degrees: Double, zoom: Double): Double {
             if (zoom == 1.0) return degrees
             return StrictMath.atan(StrictMath.tan(degrees * (StrictMath.PI / 360.0)) / zoom) * (360.0 / StrictMath.PI)
         }

@@ -8,6 +8,7 @@ import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.PictureStyle
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneCurve

@@ -16,8 +16,8 @@ internal class AovOptions : OptionGroup("Data of pixels (AOVs)") {
     private val data by option(
         "--aov",
         help = "Write what is known of each pixel as data: ${names(ids)}; the extension of FILE chooses the format, " +
-            ".pfm, .npy, .png (16 bits) or .npz, which takes several, AOV,AOV=FILE.npz, or all=FILE.npz; repeat for " +
-            "more files",
+            ".pfm, .npy, .png (16 bits), .npz, which takes several, AOV,AOV=FILE.npz, or all=FILE.npz, or, for " +
+            "object, .json, a list of visible parts with their names; repeat for more files",
     ).output().multiple()
 
     private val pictures by option(

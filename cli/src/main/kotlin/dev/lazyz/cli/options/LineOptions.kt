@@ -7,9 +7,9 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.cli.input.Cut
 import dev.lazyz.cli.input.LineWork
-import dev.lazyz.cli.input.PictureStyle
 import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.drawing.HiddenLines
+import dev.lazyz.scenes.PictureStyle
 import dev.lazyz.world.surface.Points
 
 /** Options of line drawings and of section planes. */

@@ -6,10 +6,10 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.DepthConvention
 import dev.lazyz.cli.input.AntiAliasing
-import dev.lazyz.cli.input.PictureStyle
 import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.PictureStyle
 import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.Shading
 import dev.lazyz.world.surface.Points

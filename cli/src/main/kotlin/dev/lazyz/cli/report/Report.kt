@@ -5,6 +5,7 @@ import dev.lazyz.aov.AovImage
 import dev.lazyz.cli.compare.Comparison
 import dev.lazyz.cli.compare.Outcome
 import dev.lazyz.cli.output.counted
+import dev.lazyz.scenes.aov.VisibleObject
 
 /**
  * What is seen of a rendering besides its cost.
@@ -43,6 +44,7 @@ internal class ReportEntry(val id: String, val summary: String, val outcome: Out
  * @property comparison times, counters and differences
  * @property entries one for each strategy, in their order
  * @property overdraw the fragments of each pixel, for all strategies the same; null if all failed
+ * @property parts what is visible of each surface
  */
 internal class Report(
     val input: String,
@@ -50,6 +52,7 @@ internal class Report(
     val comparison: Comparison,
     val entries: List<ReportEntry>,
     val overdraw: AovImage?,
+    val parts: List<VisibleObject>,
 ) {
     /** The pixel hash of the picture with which all others are compared, or null if all strategies failed. */
     val hash: String? = comparison.reference?.image?.pixelHash()

@@ -3,7 +3,7 @@ package dev.lazyz.cli.report
 import dev.lazyz.Image
 import dev.lazyz.Renderer
 import dev.lazyz.aov.Aov
-import dev.lazyz.aov.AovImage
+import dev.lazyz.aov.AovImages
 import dev.lazyz.cli.compare.CompareJob
 import dev.lazyz.cli.compare.Outcome
 import dev.lazyz.cli.input.FrameSource
@@ -14,6 +14,7 @@ import dev.lazyz.cli.output.ReportPlace
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.trace.ShadingOrder
+import dev.lazyz.scenes.aov.ObjectTable
 import dev.lazyz.scenes.html.Html
 
 /** One run of `zcli report`: compares, renders once more to see where the work is, and writes the page. */
@@ -35,7 +36,10 @@ internal class ReportJob(private val request: ReportRequest, private val streams
         val shot = comparison.shot
         val reference = comparison.reference?.image
         val entries = comparison.outcomes.map { (id, outcome) -> entry(Strategies.find(id), outcome, shot, reference) }
-        val report = Report(source.input.name, request.command, comparison, entries, overdraw(shot, entries))
+        val seen = seen(shot, entries)
+        val parts = seen?.let { ObjectTable.of(it[Aov.OBJECT]) }.orEmpty()
+        val report =
+            Report(source.input.name, request.command, comparison, entries, seen?.get(Aov.OVERDRAW), parts)
 
         streams.progress("writing $page ...")
         OutputFile.createFolder(page)
@@ -75,10 +79,10 @@ internal class ReportJob(private val request: ReportRequest, private val streams
         return OrderMap(recorder.toOrder(), shot.pixels)
     }
 
-    /** Returns the overdraw, which is a property of the frame: any strategy that can render it will do. */
-    private fun overdraw(shot: Shot, entries: List<ReportEntry>): AovImage? =
+    /** Returns what is a property of the frame, so that any strategy that can render it will do. */
+    private fun seen(shot: Shot, entries: List<ReportEntry>): AovImages? =
         entries.firstOrNull { it.portrait != null }?.let { entry ->
-            shot.render(Strategies.find(entry.id), { _, _, _, _ -> }, setOf(Aov.OVERDRAW))[Aov.OVERDRAW]
+            shot.render(Strategies.find(entry.id), { _, _, _, _ -> }, setOf(Aov.OVERDRAW, Aov.OBJECT))
         }
 
     /** Returns how many bytes for each pixel are kept besides what is compared. */
@@ -88,8 +92,8 @@ internal class ReportJob(private val request: ReportRequest, private val streams
     }
 
     private companion object {
-        /** A picture to look at, the overdraw, a picture of a map, and what finds discarded calls. */
-        const val ONCE_PER_PIXEL = 40L
+        /** A picture to look at, the overdraw, the objects, a picture of a map, and what finds discarded calls. */
+        const val ONCE_PER_PIXEL = 44L
 
         /** The counts and the order of a strategy, and their pictures on the page. */
         const val EACH_PER_PIXEL = 12L

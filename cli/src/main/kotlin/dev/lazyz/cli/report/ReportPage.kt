@@ -69,6 +69,7 @@ internal class ReportPage(private val report: Report) {
             val visible = image.visible
             fact("Covered", "%,d pixels, %.1f %%".format(null, visible, 100.0 * visible / pixels.size))
         }
+        if (report.parts.any { it.name.isNotEmpty() }) fact("Parts", parts(pixels.size))
         fact("Renderings", "${report.comparison.repeat} with each strategy to measure time")
         fact("Program", "zcli ${Version.text}")
         val system = listOf("os.name", "os.arch").joinToString(" ") { System.getProperty(it) }
@@ -78,7 +79,23 @@ internal class ReportPage(private val report: Report) {
         appendLine("<p>The same page again: <code>${escaped(report.command)}</code></p></div>")
     }
 
+    /** Returns the names of the largest visible parts, and which share of all [pixels] they have. */
+    private fun parts(pixels: Long): String {
+        val byName = report.parts.groupBy { it.name.ifEmpty { "unnamed" } }
+            .map { (name, surfaces) -> name to surfaces.sumOf { it.pixels.toLong() } }
+            .sortedByDescending { it.second }
+        val rest = byName.size - MOST_PARTS
+        return byName.take(MOST_PARTS).joinToString { (name, size) ->
+            "%s %.1f %%".format(null, name, 100.0 * size / pixels)
+        } + if (rest > 0) ", and $rest more" else ""
+    }
+
     private fun StringBuilder.fact(name: String, value: String) {
         appendLine("<dt>$name</dt><dd>${escaped(value)}</dd>")
+    }
+
+    private companion object {
+        /** Most parts that the page names. */
+        const val MOST_PARTS = 8
     }
 }

@@ -11,6 +11,7 @@ import java.nio.file.Path
 import java.util.zip.ZipFile
 import kotlin.io.path.exists
 import kotlin.io.path.readBytes
+import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -50,10 +51,21 @@ class AovOptionsTest {
         assertEquals(40 to 30, file("d.png").image.let { it.width to it.height })
         assertEquals(16, file("d.png").image.sampleModel.getSampleSize(0))
         assertEquals(40 * 30 * 3, floats("n.npy").size)
-        assertEquals(Aov.entries.map { "${it.id}.npy" }, names("all.npz"))
-        assertEquals(listOf("uv.npy", "object.npy"), names("two.npz"))
+        val arrays = Aov.entries.map { "${it.id}.npy" }.toMutableList()
+        arrays.add(Aov.OBJECT.ordinal + 1, "object-names.npy")
+        assertEquals(arrays, names("all.npz"))
+        assertEquals(listOf("uv.npy", "object.npy", "object-names.npy"), names("two.npz"))
         assertEquals(200, file("o.png").image.width)
         assertTrue(file("picture.png").exists())
+    }
+
+    @Test
+    fun visiblePartsAreListed() {
+        file("car.obj").writeText("v 0 0 0\nv 1 0 0\nv 0 1 0\no car\ng wheel\nf 1 2 3\n")
+        render(file("car.obj"), "--color", "red", "--aov", "object=${file("parts.json")}").done()
+        val text = file("parts.json").readText()
+        assertTrue(Regex(""""name": "car/wheel",\s+"pixels": \d{2,}""").containsMatchIn(text)) { text }
+        render("molecule", "--aov", "depth=${file("d.json")}").mistake("lists objects", ".npz")
     }
 
     @Test

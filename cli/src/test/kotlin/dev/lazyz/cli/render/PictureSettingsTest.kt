@@ -9,6 +9,7 @@ import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.scenes.PictureSettings
+import dev.lazyz.scenes.PictureStyle
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.world.Camera
@@ -53,6 +54,38 @@ class PictureSettingsTest {
     }
 
     /** As many as the parameters of the render service, which mean the same: see its `ParametersTest`. */
+    @Test
+    fun stylesAreThoseOfZcli() {
+        val wedge = folder.wedge()
+        val scene = folder.resolve("camera.json")
+        scene.writeText(
+            """{"lazyz": 1, "surfaces": [{"mesh": "wedge.obj"}], "camera": {"perspective": {"eye": [0, 3, 9],
+                "target": [0, 0, 0], "fieldOfView": 20, "near": 1, "far": 20}}}""",
+        )
+        for (model in listOf(wedge, scene)) {
+            for (style in PictureStyle.entries) {
+                assertSame(model, usual.withStyle(style), "--style", style.name.lowercase())
+            }
+        }
+        val top = usual.withViewpoint(Camera.fit(View.TOP.azimuth, View.TOP.elevation, kind = Fit.ORTHOGRAPHIC))
+        assertSame(wedge, top.withStyle(PictureStyle.TECHNICAL), "--style", "technical", "--view", "top")
+    }
+
+    @Test
+    fun turntablesAreThoseOfZcli() {
+        val model = folder.resolve("a.stl").apply { writeBytes(Hills(9).stl()) }
+        for (style in listOf(null, PictureStyle.PRODUCT)) {
+            val options = if (style == null) emptyArray() else arrayOf("--style", "product")
+            val out = "$folder/{frame}.png"
+            zcli("render", model, "--size", "40x30", "-o", out, "--turntable", "3", *options).done()
+            val turntable = usual.withStyle(style).turntable(Scenes.load(model), 3)
+            for (step in 0 until 3) {
+                val image = turntable.frame(step).render(Tiled())
+                assertEquals(folder.resolve("${step + 1}.png").image.argb(), image.argb.asList(), "$style $step")
+            }
+        }
+    }
+
     @Test
     fun settingsAreTheOptionsOfZcli() {
         val model = folder.wedge()

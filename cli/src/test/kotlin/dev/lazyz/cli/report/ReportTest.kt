@@ -25,6 +25,7 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.readText
+import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -233,6 +234,18 @@ class ReportTest {
         assertFalse("<b>&'c" in page.text)
         val word = "&#39;$folder/a&lt;b&gt;&amp;&#39;\\&#39;&#39;c.obj&#39;"
         assertTrue("zcli report $word --size 40x30 --repeat 1 --view top -o report.html</code>" in page.text)
+    }
+
+    @Test
+    fun visiblePartsAreNamed() {
+        val input = folder.resolve("parts.obj")
+        val corners = "v -3 0 0\nv -1 0 0\nv -1 2 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 0 9 -9\nv 0 9 -8\n"
+        input.writeText("${corners}o car\nf 1 2 3\ng <wheel>\nf 4 5 6\n")
+        report(input, "--view", "front").done()
+        val parts = Regex("<dt>Parts</dt><dd>(.*)</dd>").find(page().text)!!.groupValues[1]
+        assertTrue(Regex("""car \d+\.\d %, car/&lt;wheel&gt; \d+\.\d %""").matches(parts)) { parts }
+        report("teapot").done()
+        assertFalse("<dt>Parts" in page().text)
     }
 
     @Test

@@ -30,6 +30,7 @@ import org.joml.Vector3dc
  * @property material the appearance
  * @property colors red, green, blue, alpha for each vertex, linear light; null means white
  * @param origin added to all positions, see [Mesh.origin]; must be finite
+ * @property name see [Surface.name]
  * @throws IllegalArgumentException if an array has the wrong length, a vertex number or the width is out of range, or
  *   [origin] is not finite
  */
@@ -40,6 +41,7 @@ public class Lines @JvmOverloads constructor(
     public val material: Material = Material(),
     public val colors: FloatArray? = null,
     origin: Vector3dc = Vectors.ZERO,
+    override val name: String = "",
 ) : Surface {
     /** The origin of [positions], world space: it is added to each of them. */
     public val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
@@ -75,29 +77,31 @@ public class Lines @JvmOverloads constructor(
     override fun primitives(setUp: SetUp): Sequence<Primitive> = setUp.lines(this)
 
     override fun withMaterials(change: UnaryOperator<Material>): Lines =
-        Lines(positions, segments, width, change.apply(material), colors, origin)
+        Lines(positions, segments, width, change.apply(material), colors, origin, name)
 
     override fun withUpAxis(up: UpAxis): Lines =
-        Lines(up.toWorld(positions), segments, width, material, colors, up.toWorld(origin))
+        Lines(up.toWorld(positions), segments, width, material, colors, up.toWorld(origin), name)
+
+    override fun withName(name: String): Lines = Lines(positions, segments, width, material, colors, origin, name)
 
     override fun magnified(factor: Int): Lines = withWidth(width * factor)
 
     /** Returns these lines with another [width]; the arrays are shared. */
-    public fun withWidth(width: Double): Lines = Lines(positions, segments, width, material, colors, origin)
+    public fun withWidth(width: Double): Lines = Lines(positions, segments, width, material, colors, origin, name)
 
     /** Returns the same lines with positions relative to [origin]. */
     internal fun relativeTo(origin: Vector3dc): Lines = if (origin == this.origin) {
         this
     } else {
         val moved = VertexTransforms.relativeTo(origin, positions, this.origin)
-        Lines(moved, segments, width, material, colors, origin)
+        Lines(moved, segments, width, material, colors, origin, name)
     }
 
     /** Returns these lines transformed by an affine [transform]. The width is unchanged. */
     public fun transformed(transform: Matrix4dc): Lines {
         val moved = VertexTransforms.origin(bounds, transform)
         val positions = VertexTransforms.positions(positions, origin, transform, moved)
-        return Lines(positions, segments, width, material, colors, moved)
+        return Lines(positions, segments, width, material, colors, moved, name)
     }
 
     override fun toString(): String = "Lines($segmentCount segments of $width pixels, $material)"

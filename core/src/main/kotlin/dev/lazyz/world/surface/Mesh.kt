@@ -34,6 +34,7 @@ import org.joml.Vector3dc
  * @property uvs2 a second set of [uvs], for shaders that read textures with different coordinates; null means none
  * @property tangents x, y, z, w for each vertex, as in glTF: the direction in which u increases, of any length, and the
  *   sign, 1 or -1, of the bitangent, cross(normal, tangent) times w. Null means none
+ * @property name see [Surface.name]
  * @throws IllegalArgumentException if an array has the wrong length, a vertex number is out of range, or [origin] is
  *   not finite
  */
@@ -47,6 +48,7 @@ public class Mesh @JvmOverloads constructor(
     origin: Vector3dc = Vectors.ZERO,
     public val uvs2: FloatArray? = null,
     public val tangents: FloatArray? = null,
+    override val name: String = "",
 ) : Surface {
     /** The origin of [positions], world space: it is added to each of them. */
     public val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
@@ -91,7 +93,7 @@ public class Mesh @JvmOverloads constructor(
     override fun primitives(setUp: SetUp): Sequence<Primitive> = setUp.mesh(this)
 
     override fun withMaterials(change: UnaryOperator<Material>): Mesh =
-        Mesh(positions, triangles, change.apply(material), normals, uvs, colors, origin, uvs2, tangents)
+        Mesh(positions, triangles, change.apply(material), normals, uvs, colors, origin, uvs2, tangents, name)
 
     override fun withUpAxis(up: UpAxis): Mesh = Mesh(
         up.toWorld(positions), triangles, material,
@@ -100,14 +102,18 @@ public class Mesh @JvmOverloads constructor(
         },
         uvs, colors, up.toWorld(origin), uvs2,
         tangents?.let { up.toWorld(it, 4) },
+        name,
     )
+
+    override fun withName(name: String): Mesh =
+        Mesh(positions, triangles, material, normals, uvs, colors, origin, uvs2, tangents, name)
 
     /** Returns the same mesh with positions relative to [origin]. */
     internal fun relativeTo(origin: Vector3dc): Mesh = if (origin == this.origin) {
         this
     } else {
         val moved = VertexTransforms.relativeTo(origin, positions, this.origin)
-        Mesh(moved, triangles, material, normals, uvs, colors, origin, uvs2, tangents)
+        Mesh(moved, triangles, material, normals, uvs, colors, origin, uvs2, tangents, name)
     }
 
     /**
@@ -130,7 +136,7 @@ public class Mesh @JvmOverloads constructor(
         val positions = VertexTransforms.positions(positions, origin, transform, moved)
         val normals = normals?.let { VertexTransforms.normals(it, transform) }
         val tangents = tangents?.let { VertexTransforms.tangents(it, transform) }
-        return Mesh(positions, corners, material, normals, uvs, colors, moved, uvs2, tangents)
+        return Mesh(positions, corners, material, normals, uvs, colors, moved, uvs2, tangents, name)
     }
 
     /**

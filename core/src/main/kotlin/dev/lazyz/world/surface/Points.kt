@@ -33,6 +33,7 @@ import org.joml.Vector3dc
  * @property normals x, y, z for each point, of any length; null means no light
  * @property colors red, green, blue, alpha for each point, linear light; null means white
  * @param origin added to all positions, see [Mesh.origin]; must be finite
+ * @property name see [Surface.name]
  * @throws IllegalArgumentException if an array has the wrong length, the size is out of range, or [origin] is not
  *   finite
  */
@@ -43,6 +44,7 @@ public class Points @JvmOverloads constructor(
     public val normals: FloatArray? = null,
     public val colors: FloatArray? = null,
     origin: Vector3dc = Vectors.ZERO,
+    override val name: String = "",
 ) : Surface {
     /** The origin of [positions], world space: it is added to each of them. */
     public val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
@@ -71,22 +73,24 @@ public class Points @JvmOverloads constructor(
     override fun primitives(setUp: SetUp): Sequence<Primitive> = setUp.points(this)
 
     override fun withMaterials(change: UnaryOperator<Material>): Points =
-        Points(positions, size, change.apply(material), normals, colors, origin)
+        Points(positions, size, change.apply(material), normals, colors, origin, name)
 
     override fun withUpAxis(up: UpAxis): Points =
-        Points(up.toWorld(positions), size, material, normals?.let(up::toWorld), colors, up.toWorld(origin))
+        Points(up.toWorld(positions), size, material, normals?.let(up::toWorld), colors, up.toWorld(origin), name)
+
+    override fun withName(name: String): Points = Points(positions, size, material, normals, colors, origin, name)
 
     override fun magnified(factor: Int): Points = withSize(size * factor)
 
     /** Returns these points with another [size]; the arrays are shared. */
-    public fun withSize(size: Double): Points = Points(positions, size, material, normals, colors, origin)
+    public fun withSize(size: Double): Points = Points(positions, size, material, normals, colors, origin, name)
 
     /** Returns the same points with positions relative to [origin]. */
     internal fun relativeTo(origin: Vector3dc): Points = if (origin == this.origin) {
         this
     } else {
         val moved = VertexTransforms.relativeTo(origin, positions, this.origin)
-        Points(moved, size, material, normals, colors, origin)
+        Points(moved, size, material, normals, colors, origin, name)
     }
 
     /**
@@ -97,7 +101,7 @@ public class Points @JvmOverloads constructor(
         val moved = VertexTransforms.origin(bounds, transform)
         val positions = VertexTransforms.positions(positions, origin, transform, moved)
         val normals = normals?.let { VertexTransforms.normals(it, transform) }
-        return Points(positions, size, material, normals, colors, moved)
+        return Points(positions, size, material, normals, colors, moved, name)
     }
 
     override fun toString(): String = "Points($pointCount points of $size pixels, $material)"

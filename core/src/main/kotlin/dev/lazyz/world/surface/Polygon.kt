@@ -23,11 +23,13 @@ import org.joml.Vector3dc
  * @property contours lists of vertices, world space; the outer contour is counter-clockwise seen from the front
  * @property material the appearance
  * @property fillRule which samples are inside
+ * @property name see [Surface.name]
  */
 public class Polygon @JvmOverloads constructor(
     public val contours: List<List<Vertex>>,
     public val material: Material = Material(),
     public val fillRule: FillRule = FillRule.EVEN_ODD,
+    override val name: String = "",
 ) : Surface {
     override val bounds: Box? by lazy {
         val all = contours.flatten()
@@ -52,20 +54,22 @@ public class Polygon @JvmOverloads constructor(
     override fun primitives(setUp: SetUp): Sequence<Primitive> = sequenceOf(this).map { setUp.polygon(it) }
 
     override fun withMaterials(change: UnaryOperator<Material>): Polygon =
-        Polygon(contours, change.apply(material), fillRule)
+        Polygon(contours, change.apply(material), fillRule, name)
 
     override fun withUpAxis(up: UpAxis): Polygon =
-        Polygon(contours.map { contour -> contour.map { it.withUpAxis(up) } }, material, fillRule)
+        Polygon(contours.map { contour -> contour.map { it.withUpAxis(up) } }, material, fillRule, name)
+
+    override fun withName(name: String): Polygon = Polygon(contours, material, fillRule, name)
 
     /** Returns this polygon transformed by an affine [transform]. */
     public fun transformed(transform: Matrix4dc): Polygon =
-        Polygon(contours.map { contour -> contour.map { it.transformed(transform) } }, material, fillRule)
+        Polygon(contours.map { contour -> contour.map { it.transformed(transform) } }, material, fillRule, name)
 
     /** Returns this polygon relative to [origin]. */
     internal fun relativeTo(origin: Vector3dc): Polygon = if (Vectors.isZero(origin)) {
         this
     } else {
-        Polygon(contours.map { contour -> contour.map { it.relativeTo(origin) } }, material, fillRule)
+        Polygon(contours.map { contour -> contour.map { it.relativeTo(origin) } }, material, fillRule, name)
     }
 
     override fun toString(): String = "Polygon(${contours.map { it.size }} vertices, $fillRule, $material)"

@@ -67,6 +67,7 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
             mesh.origin,
             mesh.uvs2?.let { gathered(it, sources, 2) },
             mesh.tangents?.let { gathered(it, sources, 4) },
+            mesh.name,
         )
     }
 

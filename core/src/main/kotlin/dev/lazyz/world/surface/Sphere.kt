@@ -20,12 +20,14 @@ import org.joml.Vector3dc
  *
  * @property radius world units, not negative
  * @property material the appearance
+ * @property name see [Surface.name]
  * @throws IllegalArgumentException if [radius] is negative
  */
 public class Sphere @JvmOverloads constructor(
     center: Vector3dc,
     public val radius: Double,
     public val material: Material = Material(),
+    override val name: String = "",
 ) : Surface {
     /** The centre, world space. */
     public val center: Vector3dc = Vector3d(center)
@@ -60,9 +62,12 @@ public class Sphere @JvmOverloads constructor(
 
     override fun primitives(setUp: SetUp): Sequence<Primitive> = sequenceOf(this).map { setUp.sphere(it) }
 
-    override fun withMaterials(change: UnaryOperator<Material>): Sphere = Sphere(center, radius, change.apply(material))
+    override fun withMaterials(change: UnaryOperator<Material>): Sphere =
+        Sphere(center, radius, change.apply(material), name)
 
-    override fun withUpAxis(up: UpAxis): Sphere = Sphere(up.toWorld(center), radius, material)
+    override fun withUpAxis(up: UpAxis): Sphere = Sphere(up.toWorld(center), radius, material, name)
+
+    override fun withName(name: String): Sphere = Sphere(center, radius, material, name)
 
     /**
      * Returns this sphere transformed by [transform], which must scale all directions equally.
@@ -73,7 +78,7 @@ public class Sphere @JvmOverloads constructor(
 
     /** Returns this sphere relative to [origin]. */
     internal fun relativeTo(origin: Vector3dc): Sphere =
-        if (Vectors.isZero(origin)) this else Sphere(Vectors.minus(center, origin), radius, material)
+        if (Vectors.isZero(origin)) this else Sphere(Vectors.minus(center, origin), radius, material, name)
 
     override fun toString(): String = "Sphere($center, $radius, $material)"
 }

@@ -24,6 +24,6 @@ internal object SphereGeometry {
             m.m01() * c.x() + m.m11() * c.y() + m.m21() * c.z() + m.m31(),
             m.m02() * c.x() + m.m12() * c.y() + m.m22() * c.z() + m.m32(),
         )
-        return Sphere(center, sphere.radius * StrictMath.sqrt(xx), sphere.material)
+        return Sphere(center, sphere.radius * StrictMath.sqrt(xx), sphere.material, sphere.name)
     }
 }

@@ -19,6 +19,7 @@ import org.joml.Vector3dc
  * surface. Thread safe if the source is.
  *
  * @property source the triangles
+ * @property name see [Surface.name]
  * @property material the appearance; if it is translucent, only `Tiled` renders it
  */
 public class StreamedMesh private constructor(
@@ -26,10 +27,12 @@ public class StreamedMesh private constructor(
     public val material: Material,
     private val up: UpAxis,
     private val isPlain: Boolean,
+    override val name: String,
 ) : Surface {
     /** Creates a mesh in which y points up. */
     @JvmOverloads
-    public constructor(source: MeshSource, material: Material = Material()) : this(source, material, UpAxis.Y, false)
+    public constructor(source: MeshSource, material: Material = Material(), name: String = "") :
+        this(source, material, UpAxis.Y, false, name)
 
     /** Number of triangles. */
     public val triangleCount: Int get() = source.triangleCount
@@ -98,10 +101,12 @@ public class StreamedMesh private constructor(
         groups().asSequence().flatMap { setUp.mesh(read(it)) }
 
     override fun withMaterials(change: UnaryOperator<Material>): StreamedMesh =
-        StreamedMesh(source, change.apply(material), up, isPlain)
+        StreamedMesh(source, change.apply(material), up, isPlain, name)
+
+    override fun withName(name: String): StreamedMesh = StreamedMesh(source, material, up, isPlain, name)
 
     /** Returns this mesh without the colours of vertices. */
-    public fun withoutColors(): StreamedMesh = StreamedMesh(source, material, up, isPlain = true)
+    public fun withoutColors(): StreamedMesh = StreamedMesh(source, material, up, isPlain = true, name)
 
     /**
      * Returns this mesh rotated so that the axis [up] becomes y.
@@ -110,7 +115,7 @@ public class StreamedMesh private constructor(
      */
     override fun withUpAxis(up: UpAxis): StreamedMesh = when {
         up == UpAxis.Y -> this
-        this.up == UpAxis.Y -> StreamedMesh(source, material, up, isPlain)
+        this.up == UpAxis.Y -> StreamedMesh(source, material, up, isPlain, name)
         else -> throw UnsupportedOperationException("a streamed mesh can be rotated only once")
     }
 

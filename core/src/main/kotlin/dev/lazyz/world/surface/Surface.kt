@@ -16,6 +16,13 @@ import org.joml.Vector3dc
  * Implementations must be immutable and thread safe.
  */
 public interface Surface {
+    /**
+     * The name of the part that this surface shows, or an empty text. Loaders give the path of names in the file, with
+     * `/` between them, from the outermost to the innermost: `car/front axle/wheel`. Several surfaces can have the same
+     * name. Functions that return a changed surface keep it.
+     */
+    public val name: String get() = ""
+
     /** A box around the surface, or null if it is empty. */
     public val bounds: Box?
 
@@ -51,6 +58,9 @@ public interface Surface {
      * materials.
      */
     public fun withMaterials(change: UnaryOperator<Material>): Surface = this
+
+    /** Returns this surface with another [name]; a custom surface that does not override this function keeps its own. */
+    public fun withName(name: String): Surface = this
 
     /**
      * Returns this surface rotated so that the axis [up] becomes y, see `Scene.withUpAxis`.

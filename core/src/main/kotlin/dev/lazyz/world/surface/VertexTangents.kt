@@ -46,7 +46,7 @@ internal class VertexTangents(private val mesh: Mesh, private val uvs: FloatArra
         return Mesh(
             gathered(mesh.positions, 3), triangles, mesh.material, mesh.normals?.let { gathered(it, 3) },
             mesh.uvs?.let { gathered(it, 2) }, mesh.colors?.let { gathered(it, 4) }, mesh.origin,
-            mesh.uvs2?.let { gathered(it, 2) }, tangents,
+            mesh.uvs2?.let { gathered(it, 2) }, tangents, mesh.name,
         )
     }
 

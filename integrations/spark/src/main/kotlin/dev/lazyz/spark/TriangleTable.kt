@@ -1,5 +1,6 @@
 package dev.lazyz.spark
 
+import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.spark.triangles.files.ByteRanges
 import dev.lazyz.spark.triangles.files.PlyFaces
 import dev.lazyz.spark.triangles.files.PlyVertices
@@ -39,11 +40,12 @@ public object TriangleTable {
      *
      * @param path a path or URI, as for Spark's own sources
      * @param partitionBytes bytes of the file that a partition reads
-     * @throws dev.lazyz.scenes.SceneFormatException if the file cannot be read, is not binary, has fewer bytes than it
+     * @throws SceneFormatException if the file cannot be read, is not binary, has fewer bytes than it
      *   announces, or, in a task, has colours
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(SceneFormatException::class)
     public fun readStl(spark: SparkSession, path: String, partitionBytes: Long = USUAL_BYTES): Dataset<Row> {
         val file = SplitStl.open(spark, path)
         return ByteRanges.read(spark, file.ranges(partitionBytes), StlFacets(file.bytes), schema)
@@ -58,11 +60,12 @@ public object TriangleTable {
      *
      * @param path a path or URI, as for Spark's own sources
      * @param partitionBytes bytes of the file that a partition reads
-     * @throws dev.lazyz.scenes.SceneFormatException if the file cannot be read or is not of this kind; or, in a task,
+     * @throws SceneFormatException if the file cannot be read or is not of this kind; or, in a task,
      *   if a face is not a triangle
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(SceneFormatException::class)
     public fun readPly(spark: SparkSession, path: String, partitionBytes: Long = USUAL_BYTES): Dataset<Row> {
         val file = SplitPly.open(spark, path)
         val vertices = ByteRanges.read(spark, file.vertexRanges(partitionBytes), PlyVertices(file), PlyVertices.SCHEMA)

@@ -5,6 +5,7 @@ import dev.lazyz.jmh.workload.Triangles;
 import dev.lazyz.jmh.workload.Workloads;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.world.Scene;
+import java.io.IOException;
 import java.nio.file.Path;
 
 /**
@@ -21,7 +22,7 @@ public final class TriangleSource {
     private TriangleSource() {}
 
     /** Returns the triangles called {@code name}; a name with a dot is a file. */
-    public static Triangles find(String name) {
+    public static Triangles find(String name) throws IOException {
         if (Workloads.COMPARED.contains(name)) {
             return Workloads.triangles(name);
         }

@@ -56,6 +56,7 @@ public object AovFiles {
                 AovFormat.PFM -> writePfm(channel, images.single())
                 AovFormat.NPY -> buffered(channel).use { Npy.write(it, images.single()) }
                 AovFormat.NPZ -> Npy.writeArchive(buffered(channel), images)
+                AovFormat.JSON -> buffered(channel).writer().use { ObjectTable.write(it, images.single()) }
                 AovFormat.PNG -> buffered(channel).use { DeepPng.write(it, images.single()) }
             }
         }

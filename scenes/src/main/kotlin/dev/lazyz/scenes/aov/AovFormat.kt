@@ -18,7 +18,10 @@ public enum class AovFormat(public val id: String) {
     /** NumPy array, one AOV: `<f4` or `<i4`, with the shape (rows, columns) or (rows, columns, channels). */
     NPY("npy"),
 
-    /** Archive of NumPy arrays, any number of AOVs: an array for each, with its id as name. Compressed. */
+    /**
+     * Archive of NumPy arrays, any number of AOVs: an array for each, with its id as name, and for [Aov.OBJECT] also
+     * `object-names`, the names of all objects of the scene by their number. Compressed.
+     */
     NPZ("npz"),
 
     /**
@@ -29,12 +32,16 @@ public enum class AovFormat(public val id: String) {
      * be written.
      */
     PNG("png"),
+
+    /** The objects of [Aov.OBJECT], one AOV: a table of their names and visible pixels, see [ObjectTable]. JSON. */
+    JSON("json"),
     ;
 
     /** Returns why [aov] cannot be written in this format, or null if it can. */
     public fun obstacle(aov: Aov): String? = when {
-        this != PNG || aov != Aov.POSITION -> null
-        else -> "positions have no range that 16 bits could show; use .npy or .pfm"
+        this == PNG && aov == Aov.POSITION -> "positions have no range that 16 bits could show; use .npy or .pfm"
+        this == JSON && aov != Aov.OBJECT -> "a .json file lists objects; use .npz for '${aov.id}'"
+        else -> null
     }
 
     public companion object {

@@ -37,6 +37,9 @@ internal class AovPalette private constructor(
         private const val NOTHING = AovPicture.NOTHING
         private const val OPAQUE = 0xFF shl 24
         private val NONE = Swatch("none", NOTHING)
+
+        /** In letters. */
+        private const val LONGEST_LABEL = 16
         private val NAMES = listOf("x", "y", "z")
 
         fun of(image: AovImage): AovPalette = when (image.aov) {
@@ -79,11 +82,17 @@ internal class AovPalette private constructor(
 
         private fun ids(image: AovImage, title: String): AovPalette {
             val seen = image.ints.filter { it >= 0 }.distinct().sorted()
-            val swatches = listOf(NONE) + seen.map { Swatch("$it", hashed(it)) }
+            val swatches = listOf(NONE) + seen.map { Swatch(label(it, image.names.getOrNull(it)), hashed(it)) }
             return AovPalette("$title, ${seen.size} visible", emptyList(), swatches) { index ->
                 val id = image.ints[index]
                 if (id < 0) NOTHING else hashed(id)
             }
+        }
+
+        /** Returns the last part of the [name] of an object, or its number if it has none, or not only letters of ASCII. */
+        private fun label(id: Int, name: String?): String {
+            val own = name?.substringAfterLast('/').orEmpty()
+            return if (own.isNotEmpty() && own.all { it in ' '..'~' }) own.take(LONGEST_LABEL) else "$id"
         }
 
         private fun normals(image: AovImage): AovPalette {

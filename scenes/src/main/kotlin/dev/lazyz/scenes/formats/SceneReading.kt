@@ -4,6 +4,7 @@ import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneMemoryException
 import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.scenes.gltf.GltfParser
@@ -53,6 +54,8 @@ internal object SceneReading {
         val loading = Loading(options)
         val source = try {
             Source(bytes(input, 0, name, format, loading), name, folder, loading)
+        } catch (e: SceneFormatException) {
+            throw e
         } catch (e: IOException) {
             throw unreadable(name, e)
         }
@@ -107,6 +110,8 @@ internal object SceneReading {
             val size = Files.size(path)
             if (size > mostBytes(format, loading.limits)) throw tooLarge(name, size, format, loading.limits)
             return Files.newInputStream(path).use { bytes(it, size.toInt(), name, format, loading) }
+        } catch (e: SceneFormatException) {
+            throw e
         } catch (e: IOException) {
             throw unreadable(name, e)
         }

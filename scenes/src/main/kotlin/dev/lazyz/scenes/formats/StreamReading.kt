@@ -4,6 +4,7 @@ import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.StreamedScene
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
@@ -55,6 +56,8 @@ internal object StreamReading {
             input.close()
             throw e
         }
+    } catch (e: SceneFormatException) {
+        throw e
     } catch (e: IOException) {
         throw SceneReading.unreadable(name, e)
     }

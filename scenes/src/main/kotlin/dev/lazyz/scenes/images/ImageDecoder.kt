@@ -43,6 +43,8 @@ internal object ImageDecoder {
     } catch (ended: SceneFormatException) {
         throw ended
     } catch (e: IOException) {
+        // Some readers of the JDK wrap what ends them
+        generateSequence<Throwable>(e) { it.cause }.firstOrNull { it is SceneFormatException }?.let { throw it }
         requireMemory(e)
     } catch (e: RuntimeException) {
         // Some decoders of the JDK fail on a damaged file with an index out of bounds or a negative size

@@ -59,6 +59,7 @@ internal class MeshParts(
             whole.origin,
             whole.uvs2?.let { gather(it, used, 2) },
             whole.tangents?.let { gather(it, used, 4) },
+            whole.name,
         )
     }
 

@@ -26,7 +26,7 @@ internal object MissingNormals {
         val normals = mesh.normals ?: return source.loading.smoothed(source, mesh, creaseAngle)
         val missing = missing(normals)
         if (missing.isEmpty || mesh.triangles.none(missing::get)) return mesh
-        val bare = with(mesh) { Mesh(positions, triangles, material, null, uvs, colors, origin, uvs2) }
+        val bare = with(mesh) { Mesh(positions, triangles, material, null, uvs, colors, origin, uvs2, name = name) }
         val flat = BitSet()
         for (triangle in 0 until mesh.triangleCount) {
             source.step()
@@ -93,7 +93,7 @@ internal object MissingNormals {
         return Mesh(
             gathered(mesh.positions, 3), triangles, mesh.material, normals, mesh.uvs?.let { gathered(it, 2) },
             mesh.colors?.let { gathered(it, 4) }, mesh.origin, mesh.uvs2?.let { gathered(it, 2) },
-            mesh.tangents?.let { gathered(it, 4) },
+            mesh.tangents?.let { gathered(it, 4) }, mesh.name,
         )
     }
 }

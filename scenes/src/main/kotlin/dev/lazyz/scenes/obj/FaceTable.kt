@@ -4,13 +4,20 @@ import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
 
 /**
+ * The name of faces, points or lines, and their material: what has both in common becomes one surface.
+ *
+ * @property name names given by `o` and `g`, with `/` between them
+ * @property material name given by `usemtl`, or null before the first
+ */
+internal data class Label(val name: String, val material: String?)
+
+/**
  * The properties that a group of faces has in common.
  *
  * @property objectNumber number of `o` statements before the faces
- * @property material name given by `usemtl`, or null before the first
  * @property isSmooth whether the faces are shaded smoothly if they have no normals
  */
-internal data class Part(val objectNumber: Int, val material: String?, val isSmooth: Boolean)
+internal data class Part(val objectNumber: Int, val label: Label, val isSmooth: Boolean)
 
 /** The faces of an OBJ file in order, as plain arrays. Numbers count from 0, and -1 means none. */
 internal class FaceTable {

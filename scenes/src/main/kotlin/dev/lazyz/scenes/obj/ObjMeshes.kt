@@ -9,11 +9,11 @@ import dev.lazyz.world.surface.Mesh
 import java.util.BitSet
 
 /**
- * Builds meshes from faces. Each object, in the order of the file, becomes one mesh for each material and kind of
- * normals. Meshes are in the order of their first face, and faces in the order of the file.
+ * Builds meshes from faces. Each object, in the order of the file, becomes one mesh for each group, material
+ * and kind of normals. Meshes are in the order of their first face, and faces in the order of the file.
  *
- * Normals of faces without any are computed for each object as a whole, so a change of material does not make a crease;
- * see also [MissingNormals].
+ * Normals of faces without any are computed for each object as a whole, so a change of group or material does not
+ * make a crease; see also [MissingNormals].
  */
 internal class ObjMeshes(
     private val source: Source,
@@ -27,7 +27,7 @@ internal class ObjMeshes(
         val faces = Ints()
     }
 
-    private data class Group(val material: String?, val isTextured: Boolean)
+    private data class Group(val label: Label, val isTextured: Boolean)
 
     private class Placed(val firstFace: Int, val mesh: Mesh)
 
@@ -81,7 +81,7 @@ internal class ObjMeshes(
             if (faces.part(face) != lastPart || hasTextures != isTextured) {
                 lastPart = faces.part(face)
                 isTextured = hasTextures
-                group = groups.getOrPut(Group(faces.parts[lastPart].material, hasTextures)) {
+                group = groups.getOrPut(Group(faces.parts[lastPart].label, hasTextures)) {
                     firstFaces.add(face)
                     groups.size
                 }
@@ -105,24 +105,26 @@ internal class ObjMeshes(
             if (isFlat) whole else MissingNormals.computed(source, whole, ObjParser.CREASE_ANGLE, flat::get)
         val parts = MeshParts(source, shaded, groupOf, groups.size)
         return groups.map { (group, number) ->
-            Placed(firstFaces[number], withMaterial(parts.part(number), materialOf(group.material), group.isTextured))
+            Placed(firstFaces[number], finished(parts.part(number), group))
         }
     }
 
     /**
-     * Returns [part] with [material]. Texture coordinates, whose v points upward so far, are scaled and offset as the
-     * material specifies, and v is flipped to point downward. Unless [isTextured], texture coordinates and maps are
-     * removed. A normal map gets its tangents.
+     * Returns [part] with the name and the material of its [group]. Texture coordinates, whose v points upward so far,
+     * are scaled and offset as the material specifies, and v is flipped to point downward. If the group has none,
+     * coordinates and maps are removed. A normal map gets its tangents.
      */
-    private fun withMaterial(part: Mesh, material: MtlMaterial, isTextured: Boolean): Mesh {
+    private fun finished(part: Mesh, group: Group): Mesh {
+        val material = materialOf(group.label.material)
         val mesh = Mesh(
             part.positions,
             part.triangles,
-            if (isTextured) material.material else material.material.withoutMaps(),
+            if (group.isTextured) material.material else material.material.withoutMaps(),
             part.normals,
-            if (isTextured) part.uvs?.also { place(it, material) } else null,
+            if (group.isTextured) part.uvs?.also { place(it, material) } else null,
             part.colors,
             part.origin,
+            name = group.label.name,
         )
         val normals = mesh.material.normalMap ?: return mesh
         return mesh.withTangents(0, normals.map.transform)

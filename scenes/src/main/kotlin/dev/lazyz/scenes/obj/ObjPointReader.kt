@@ -14,19 +14,19 @@ internal class ObjPointReader(
     private val faces: ObjFaceReader,
 ) {
     /** Reads the points of the current statement. */
-    fun readPoints(material: String?) {
+    fun readPoints(label: Label) {
         statements.nextWord()
-        while (statements.nextWord()) model.points.add(material, statements.number, faces.vertex("point"))
+        while (statements.nextWord()) model.points.add(label, statements.number, faces.vertex("point"))
     }
 
     /** Reads the polyline of the current statement. */
-    fun readLine(material: String?) {
+    fun readLine(label: Label) {
         statements.nextWord()
         var previous = -1
         var count = 0
         while (statements.nextWord()) {
             val vertex = faces.vertex("line")
-            if (count++ > 0) model.points.add(material, statements.number, previous, vertex)
+            if (count++ > 0) model.points.add(label, statements.number, previous, vertex)
             previous = vertex
         }
         if (count < 2) source.warn("", "line ${statements.number}", ": a line of $count vertices is left out")

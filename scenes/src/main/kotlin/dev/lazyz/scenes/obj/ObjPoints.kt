@@ -10,7 +10,7 @@ import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Surface
 
 /**
- * Points and lines of an OBJ file, by material, in the order of the file. Texture coordinates are not kept. Not thread
+ * Points and lines of an OBJ file, by name and material, in the order of the file. Texture coordinates are not kept. Not thread
  * safe.
  */
 internal class ObjPoints {
@@ -20,14 +20,14 @@ internal class ObjPoints {
         val lines = Ints()
     }
 
-    private val points = LinkedHashMap<String?, Numbers>()
-    private val segments = LinkedHashMap<String?, Numbers>()
+    private val points = LinkedHashMap<Label, Numbers>()
+    private val segments = LinkedHashMap<Label, Numbers>()
 
     val isEmpty: Boolean get() = points.isEmpty() && segments.isEmpty()
 
     /** Adds the point, or the segment between two vertices, given by [ends]. [line] is its line in the file. */
-    fun add(material: String?, line: Int, vararg ends: Int) {
-        val numbers = (if (ends.size == 1) points else segments).getOrPut(material) { Numbers() }
+    fun add(label: Label, line: Int, vararg ends: Int) {
+        val numbers = (if (ends.size == 1) points else segments).getOrPut(label) { Numbers() }
         for (end in ends) {
             numbers.vertices.add(end)
             numbers.lines.add(line)
@@ -58,19 +58,22 @@ internal class ObjPoints {
             val named = if (name == null) null else materialOf(name).takeIf { it.isDefined }
             return named?.material ?: PixelDefaults.material(false, model.colors.size > 0, name.orEmpty())
         }
-        return points.map { (name, numbers) ->
+        return points.map { (label, numbers) ->
             val vertices = IntArray(numbers.vertices.size) { numbers.vertices[it] }
             Points(
                 FloatArray(3 * vertices.size) { positions[3 * vertices[it / 3] + it % 3] },
-                PixelDefaults.POINT_SIZE, material(name), colors = model.colors(vertices.size) { vertices[it] },
+                PixelDefaults.POINT_SIZE,
+                material(label.material),
+                colors = model.colors(vertices.size) { vertices[it] },
                 origin = model.origin,
+                name = label.name,
             )
-        } + segments.map { (name, numbers) ->
+        } + segments.map { (label, numbers) ->
             val vertices = CornerVertices(numbers.vertices.size)
             val ends = IntArray(numbers.vertices.size) { vertices.vertex(numbers.vertices[it], -1, -1) }
             Lines(
-                vertices.positions(positions), ends, PixelDefaults.LINE_WIDTH, material(name),
-                model.colors(vertices.size, vertices::position), model.origin,
+                vertices.positions(positions), ends, PixelDefaults.LINE_WIDTH, material(label.material),
+                model.colors(vertices.size, vertices::position), model.origin, label.name,
             )
         }
     }

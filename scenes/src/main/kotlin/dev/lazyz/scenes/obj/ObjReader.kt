@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.obj
 
+import dev.lazyz.scenes.loading.PartNames
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.Statements
 
@@ -15,10 +16,14 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
     private val vertices = ObjVertexReader(source, statements, model.origin, model)
     private val ignored = ObjIgnored()
 
-    // State for the following faces: number of `o` statements so far, last `usemtl`, and false after `s off`
+    // State for what follows: number of `o` statements so far, name of the last one, path of the last `o` and the last `g`
+    // after it, last `usemtl`, and false after `s off`
     private var objectNumber = 0
+    private var objectName = ""
+    private var path = ""
     private var material: String? = null
     private var isSmooth = true
+    private var label = Label("", null)
 
     /** Reads all statements. */
     fun read() {
@@ -49,22 +54,31 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
             }
             statements.hasKeyword("o") -> {
                 objectNumber++
+                objectName = PartNames.path("", name("o"))
+                path = objectName
+                beginPart()
+            }
+            statements.hasKeyword("g") -> {
+                path = PartNames.path(objectName, name("g"))
                 beginPart()
             }
             statements.hasKeyword("s") -> {
                 isSmooth = statements.withoutComment().substring(1).trim().lowercase() !in listOf("off", "0")
                 beginPart()
             }
-            statements.hasKeyword("p") -> points.readPoints(material)
-            statements.hasKeyword("l") -> points.readLine(material)
-            !statements.hasKeyword("g") -> ignored.add(statements.keyword())
+            statements.hasKeyword("p") -> points.readPoints(label)
+            statements.hasKeyword("l") -> points.readLine(label)
+            else -> ignored.add(statements.keyword())
         }
     }
 
     private fun beginPart() {
+        label = Label(path, material)
         val before = model.faces.parts.size
-        faces.part = model.faces.partNumber(Part(objectNumber, material, isSmooth))
-        if (model.faces.parts.size > before) source.loading.items(source, 1)
+        faces.part = model.faces.partNumber(Part(objectNumber, label, isSmooth))
+        if (model.faces.parts.size == before) return
+        source.loading.items(source, 1)
+        source.loading.decode(source, PartNames.bytes(path))
     }
 
     private fun name(keyword: String): String = statements.statement().substring(keyword.length).trim()

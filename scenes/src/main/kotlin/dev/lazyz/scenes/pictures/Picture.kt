@@ -82,6 +82,7 @@ public class Picture private constructor(public val width: Int, public val heigh
          * @throws SceneFormatException if it is no image
          */
         @JvmStatic
+        @Throws(SceneFormatException::class)
         public fun read(path: Path): Picture {
             val bytes = try {
                 Files.readAllBytes(path)
@@ -102,6 +103,7 @@ public class Picture private constructor(public val width: Int, public val heigh
          */
         @JvmStatic
         @JvmOverloads
+        @Throws(SceneFormatException::class)
         public fun decode(bytes: ByteArray, name: String = "<bytes>"): Picture =
             PpmDecoder.decode(bytes, name) ?: ImageDecoder.decode(bytes, admit = {}) { image ->
                 if (Texels.isWide(image)) {

@@ -47,6 +47,7 @@ public object SceneFile {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(SceneFormatException::class)
     public fun read(path: Path, limits: LoadLimits = LoadLimits()): LoadedScene =
         SceneReading.read(path, SceneFormat.SCENE, LoadOptions(limits))
 
@@ -61,6 +62,7 @@ public object SceneFile {
      */
     @JvmStatic
     @JvmOverloads
+    @Throws(SceneFormatException::class)
     public fun parse(
         text: String,
         name: String = "<text>",

@@ -81,6 +81,7 @@ internal class SceneFileWriter(private val out: Appendable) {
     }
 
     private fun surface(out: JsonWriter, surface: Surface, material: String?) = out.members {
+        if (surface.name.isNotEmpty()) key("name").text(surface.name)
         if (material != null) key("material").text(material)
         when (surface) {
             is Mesh -> mesh(key("mesh"), surface)

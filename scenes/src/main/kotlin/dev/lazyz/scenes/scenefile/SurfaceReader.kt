@@ -7,6 +7,7 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.builtin.Builtins
 import dev.lazyz.scenes.formats.SceneReading
 import dev.lazyz.scenes.json.JsonNode
+import dev.lazyz.scenes.loading.PartNames
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Lines
@@ -31,7 +32,7 @@ internal class SurfaceReader(
 
     /** Returns the surfaces of one entry: one surface, or all surfaces of a mesh file or a built-in scene. */
     fun read(node: JsonNode): List<Surface> {
-        val members = node.members(*KINDS, "material", "transform", "smoothNormals")
+        val members = node.members(*KINDS, "name", "material", "transform", "smoothNormals")
         val (kind, value) = members.one(*KINDS)
         val material = members["material"]?.let(materials::read)
         val surfaces = when (kind) {
@@ -50,7 +51,8 @@ internal class SurfaceReader(
             val transform = TransformReader.read(node)
             node.checked { painted.map { moved(it, transform) } }
         }
-        return (moved ?: painted).map { it.withUpAxis(up) }
+        val name = members["name"]?.text().orEmpty()
+        return (moved ?: painted).map { it.withName(PartNames.path(name, it.name)).withUpAxis(up) }
     }
 
     /**

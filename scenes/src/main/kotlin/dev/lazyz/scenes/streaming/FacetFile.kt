@@ -1,8 +1,10 @@
 package dev.lazyz.scenes.streaming
 
 import dev.lazyz.geometry.Box
+import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.MeshSource
+import java.io.UncheckedIOException
 import java.nio.ByteBuffer
 import org.joml.Vector3dc
 
@@ -36,7 +38,11 @@ internal class FacetFile(
 
     override fun read(first: Int, count: Int): Mesh {
         val facets = minOf(count * PART, triangleCount - first * PART)
-        val records = file.read(start + first.toLong() * PART * stride, facets * stride)
+        val records = try {
+            file.read(start + first.toLong() * PART * stride, facets * stride)
+        } catch (e: SceneReadException) {
+            throw UncheckedIOException(e.message, e)
+        }
         val positions = FloatArray(9 * facets)
         for (facet in 0 until facets) {
             val at = facet * stride + corners

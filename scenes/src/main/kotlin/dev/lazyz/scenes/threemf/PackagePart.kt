@@ -121,6 +121,8 @@ internal class PackagePart(val source: Source, val path: String, input: InputStr
     } catch (limit: SceneFormatException) {
         throw limit
     } catch (e: XMLStreamException) {
+        // The parser wraps what the archive throws when the part exceeds a limit
+        (e.nestedException as? SceneFormatException)?.let { throw it }
         val line = e.location?.lineNumber?.let { ", line $it" } ?: ""
         source.fail("$path$line", "is damaged: ${e.message?.substringAfter("Message: ")}", REMEDY, e)
     } catch (e: IOException) {

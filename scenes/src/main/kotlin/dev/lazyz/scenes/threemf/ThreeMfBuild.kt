@@ -3,6 +3,7 @@ package dev.lazyz.scenes.threemf
 import dev.lazyz.geometry.Transforms
 import dev.lazyz.scenes.collections.KindCounts
 import dev.lazyz.scenes.loading.Loading
+import dev.lazyz.scenes.loading.PartNames
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.surface.Mesh
 import org.joml.Matrix4d
@@ -22,7 +23,7 @@ internal class ThreeMfBuild(private val source: Source) {
     /** Returns the meshes of all items, in order. */
     fun meshes(): List<Mesh> {
         val root = model(archive.modelPath) ?: source.fail(archive.modelPath, "is missing", "export the model again")
-        for (item in root.items) place(item, Matrix4d(), NO_LOOK)
+        for (item in root.items) place(item, Matrix4d(), NO_LOOK, "")
         if (models.values.any { it.requiresSlices }) {
             if (placed.isEmpty()) {
                 val problem = "the file requires slices, and has no triangles"
@@ -60,9 +61,9 @@ internal class ThreeMfBuild(private val source: Source) {
 
     /**
      * Adds the object that [placement] refers to. [toWorld] is the transform from the space of the placement to world
-     * space, and [inherited] the default look of the object that contains it.
+     * space, [inherited] the default look of the object that contains it, and [above] its path.
      */
-    private fun place(placement: Placement, toWorld: Matrix4dc, inherited: DefaultLook) {
+    private fun place(placement: Placement, toWorld: Matrix4dc, inherited: DefaultLook, above: String) {
         val model = model(placement.path)
             ?: source.fail(placement.path, "is missing from the package", "export the model again")
         val found = model.objects[placement.number]
@@ -76,7 +77,8 @@ internal class ThreeMfBuild(private val source: Source) {
         if (open.size > source.loading.limits.nesting) {
             source.fail(model.path, "objects are nested more than ${open.size - 1} deep", Loading.NESTING_REMEDY)
         }
-        source.loading.decode(source, PLACEMENT_BYTES)
+        val path = PartNames.path(above, found.name)
+        source.loading.decode(source, PLACEMENT_BYTES + PartNames.bytes(path))
 
         val transform = Transforms.product(toWorld, placement.transform)
         val look = if (found.defaultGroup >= 0) DefaultLook(found.defaultGroup, found.defaultIndex) else inherited
@@ -84,12 +86,12 @@ internal class ThreeMfBuild(private val source: Source) {
         for (mesh in own) {
             source.loading.vertices(source, mesh.vertexCount.toLong())
             source.loading.triangles(source, mesh.triangleCount.toLong())
-            placed.add(mesh.transformed(transform))
+            placed.add(mesh.transformed(transform).withName(path))
         }
         for (component in found.components) {
             // Numbers of groups are local to a part
             val isSamePart = model(component.path) === model
-            place(component, transform, if (isSamePart) look else NO_LOOK)
+            place(component, transform, if (isSamePart) look else NO_LOOK, path)
         }
         open.remove(name)
     }

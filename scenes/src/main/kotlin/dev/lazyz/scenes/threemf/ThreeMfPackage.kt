@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.threemf
 
+import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.loading.Source
 import java.io.IOException
 
@@ -21,6 +22,8 @@ internal class ThreeMfPackage(private val source: Source) {
     /** Returns the content of the part called [path], or null if there is none or it is damaged. */
     fun bytes(path: String): ByteArray? = try {
         archive.open(path)?.use { it.readAllBytes() }
+    } catch (limit: SceneFormatException) {
+        throw limit
     } catch (_: IOException) {
         null
     }

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.writers
 
+import dev.lazyz.scenes.SceneFormatException
 import java.io.IOException
 import java.io.InterruptedIOException
 import java.nio.channels.ClosedByInterruptException
@@ -114,6 +115,9 @@ internal object AtomicFile {
         // An interrupt closes the channel that the thread writes to
         if (e is ClosedByInterruptException) return WritingInterrupted(path, e)
         if (e.message?.startsWith("cannot write") == true) return e
+
+        // The model that is drawn into the file cannot be read
+        if (e is SceneFormatException) return e
         return IOException("cannot write $path: ${reason(path, e)}", e)
     }
 

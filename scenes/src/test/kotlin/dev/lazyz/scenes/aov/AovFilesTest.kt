@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.aov
 
+import com.fasterxml.jackson.databind.ObjectMapper
 import dev.lazyz.Region
 import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovImage
@@ -108,6 +109,33 @@ class AovFilesTest {
         assertArrayEquals(file.readBytes(), written("again.npz", depth, normal, ids).readBytes())
         assertEquals(22, written("empty.npz").readBytes().size)
     }
+
+    @Test
+    fun namesOfObjectsAreATable() {
+        val named =
+            AovImage(Aov.OBJECT, region, intArrayOf(-1, 0, 1, 1, 1, -1), names = listOf("a\uD83D\uDE97", "\uD800", "end"))
+        val archive = written("named.npz", named, depth)
+        ZipInputStream(archive.inputStream()).use { entries ->
+            val found = generateSequence { entries.nextEntry }.associate { it.name to npy(entries.readBytes()) }
+            assertEquals(listOf("object.npy", "object-names.npy", "depth.npy"), found.keys.toList())
+            val (header, words) = found.getValue("object-names.npy")
+            assertEquals("{'descr': '<U3', 'fortran_order': False, 'shape': (3,), }", header.trim())
+            assertEquals(listOf('a'.code, 0x1F697, 0, 0xFFFD, 0, 0, 'e'.code, 'n'.code, 'd'.code), words)
+        }
+
+        val table = written("named.json", named)
+        val found = ObjectMapper().readTree(table.readBytes())["objects"].map { "$it" }
+        val expected = listOf(
+            "{'id':0,'name':'a\uD83D\uDE97','pixels':1,'columns':[6,7],'rows':[7,8]}",
+            "{'id':1,'name':'\uD800','pixels':3,'columns':[5,8],'rows':[7,9]}",
+        )
+        assertEquals(expected.map { it.replace('\'', '"') }, found)
+        assertEquals("[]", "${ObjectMapper().readTree(written("none.json", ids(-1)).readBytes())["objects"]}")
+        val wrong = assertThrows(IllegalArgumentException::class.java) { written("depth.json", depth) }
+        assertTrue("use .npz for 'depth'" in wrong.message.orEmpty()) { wrong.message }
+    }
+
+    private fun ids(id: Int) = AovImage(Aov.OBJECT, Region(0, 0, 1, 1), intArrayOf(id))
 
     @Test
     fun picturesOf16BitsAreScaledByFixedRanges() {

@@ -66,6 +66,21 @@ class GltfParserTest {
     }
 
     @Test
+    fun surfacesHaveThePathOfTheirNode() {
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, triangle)
+        val part = """{"attributes":{"POSITION":0}}"""
+        val nodes = """[{"name":"car","children":[1,2]},{"children":[3]},{"mesh":0},{"name":"wheel","mesh":0,""" +
+            """"translation":[1,0,0],"children":[4]},{"name":" ","mesh":1}]"""
+        val meshes = """[{"name":"tyre","primitives":[$part,$part]},{"primitives":[$part]}]"""
+        val scene = parse(files.json(""""nodes":$nodes,"meshes":$meshes"""))
+        assertEquals(
+            listOf("car/wheel", "car/wheel", "car/wheel", "car/tyre", "car/tyre"),
+            scene.surfaces.map { it.name },
+        )
+    }
+
+    @Test
     fun transformsComposeFromTheRootDown() {
         // Half a turn around z, after a stretch; then the parent moves it
         val json = file(

@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.obj
 
 import dev.lazyz.Rgba
+import dev.lazyz.scenes.loading.PartNames
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.corners
@@ -34,6 +35,40 @@ class ObjParserTest {
         assertEquals("00 10 11 00 11 01", outline(mesh))
         assertEquals(4, mesh.vertexCount)
         assertEquals(listOf(0f, 0f, 1f), mesh.normals!!.take(3))
+    }
+
+    @Test
+    fun objectsAndGroupsAreParts() {
+        val text = square + "f 1 2 3\nusemtl red\no car\nf 1 2 3\ng door left\nf 1 2 4\ng\nf 1 3 4\ng door left\n" +
+            "f 2 3 4\no road\nf 1 2 3\nl 1 2\nl 2 3\ng edge\np 1\n"
+        val surfaces = ObjParser.parse(TestSources.of(text)).surfaces
+        assertEquals(
+            listOf("", "car", "car/door left", "road", "road/edge", "road"),
+            surfaces.map { it.name },
+        )
+        assertEquals(listOf(1, 2, 2, 1), surfaces.filterIsInstance<Mesh>().map { it.triangleCount })
+    }
+
+    /** The normals of a group at its border are those of the whole object. */
+    @Test
+    fun aChangeOfGroupMakesNoCrease() {
+        val roof = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 2 0.2\nv 1 2 0.2\nf 1 2 3 4\n%sf 4 3 6 5\n"
+        val whole = mesh(roof.format(""))
+        val parts = meshes(roof.format("g top\n"))
+        fun normals(mesh: Mesh) = mesh.triangles.map { vertex -> List(3) { mesh.normals!![3 * vertex + it] } }
+        assertEquals(normals(whole), parts.flatMap { normals(it) })
+    }
+
+    /** A group with a long name around many others would otherwise need memory for it in each of them. */
+    @Test
+    fun pathsAreCutAndCounted() {
+        val text = square + "o ${"long".repeat(1000)}\n" + (1..3).joinToString("") { "g $it\nf 1 2 3\n" }
+        val source = TestSources.of(text)
+        val names = ObjParser.parse(source).surfaces.map { it.name }
+        assertEquals(listOf("1", "2", "3"), names.map { it.substringAfterLast('/') })
+        for (name in names) assertEquals("...", name.take(3))
+        assertEquals(setOf(PartNames.LONGEST), names.map { it.length }.toSet())
+        assertTrue(source.loading.used.decoded > 3 * PartNames.bytes(names[0]))
     }
 
     /** Faces of plain numbers are read in one go, others, such as those that count backward, word by word. */
@@ -143,11 +178,12 @@ class ObjParserTest {
 
     @Test
     fun objectsAndMaterialsDivideTheFileInItsOrder() {
-        val text = square + "o one\nusemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\ng ignored\nusemtl a\nf 2 3 4\n" +
+        val text = square + "o one\nusemtl a\nf 1 2 3\nusemtl b\nf 1 3 4\ng part\nusemtl a\nf 2 3 4\n" +
             "o two\nf 1 2 4\n"
         val meshes = meshes(text)
-        assertEquals(listOf("a" to 2, "b" to 1, "a" to 1), meshes.map { it.material.name to it.triangleCount })
-        assertEquals("00 10 11 10 11 01", outline(meshes[0]))
+        assertEquals(listOf("a", "b", "a", "a"), meshes.map { it.material.name })
+        assertEquals(listOf("one", "one", "one/part", "two"), meshes.map { it.name })
+        assertEquals(listOf("00 10 11", "00 11 01", "10 11 01", "00 10 01"), meshes.map(::outline))
     }
 
     @Test

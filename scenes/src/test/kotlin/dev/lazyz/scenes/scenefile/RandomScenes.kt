@@ -57,7 +57,9 @@ internal class RandomScenes(seed: Long) {
         return pick(listOf(DepthRules(), DepthRules(convention), odd))
     }
 
-    private fun surface(): Surface = when (random.nextInt(5)) {
+    private fun surface(): Surface = bare().withName(name())
+
+    private fun bare(): Surface = when (random.nextInt(5)) {
         0 -> mesh()
         1 -> points()
         2 -> lines()

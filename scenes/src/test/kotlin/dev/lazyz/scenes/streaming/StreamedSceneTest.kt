@@ -14,6 +14,7 @@ import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.StreamedMesh
+import java.io.UncheckedIOException
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Path
@@ -261,7 +262,8 @@ class StreamedSceneTest {
         file.writeBytes(binary(terrain(50)))
         stream().use { streamed ->
             file.outputStream().use { it.write(1) }
-            val refused = assertThrows(SceneReadException::class.java) { hashes(streamed.loaded, listOf(Tiled())) }
+            val refused = assertThrows(UncheckedIOException::class.java) { hashes(streamed.loaded, listOf(Tiled())) }
+            assertTrue(refused.cause is SceneReadException, "${refused.cause}")
             assertTrue("has become shorter" in refused.message!!, refused.message)
         }
     }

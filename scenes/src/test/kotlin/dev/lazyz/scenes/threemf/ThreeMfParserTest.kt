@@ -89,6 +89,16 @@ class ThreeMfParserTest {
     }
 
     @Test
+    fun objectsHaveThePathOfWhatTheyArePartsOf() {
+        val same = "1 0 0 0 1 0 0 0 1 0 0 0"
+        val two = "<object id=\"2\"><components>" + component(1, same) + "</components></object>"
+        val car = "<object id=\"3\" name=\"car\"><components>" + component(1, same) + component(2, same) +
+            "</components></object>"
+        val meshes = meshes(one + two + car, item(3) + item(1))
+        assertEquals(listOf("car/one", "car/one", "one"), meshes.map { it.name })
+    }
+
+    @Test
     fun objectsOfOtherPartsAreFollowed() {
         val seven = "<object id=\"7\"><components><component objectid=\"1\"/></components></object>"
         val part = model(seven + one, "").toByteArray()

@@ -164,5 +164,6 @@ internal object MeshDeformation {
         triangles: IntArray,
     ): Mesh = Mesh(
         positions, triangles, mesh.material, normals, mesh.uvs, mesh.colors, uvs2 = mesh.uvs2, tangents = tangents,
+        name = mesh.name,
     )
 }

@@ -90,6 +90,8 @@ internal object GltfJson {
             reading.set(warnings)
             val tokens = JsonInput.again(source, mapper.treeAsTokens(tree))
             return mapper.readValue(tokens, GlTF::class.java).also { warnings.report() }
+        } catch (e: SceneFormatException) {
+            throw e
         } catch (e: JsonMappingException) {
             generateSequence<Throwable>(e) { it.cause }.firstOrNull { it is SceneFormatException }?.let { throw it }
             source.fail(place(e), WrongTypes.problem(e, tree), REMEDY, e)
@@ -124,6 +126,8 @@ internal object GltfJson {
             JsonInput.parser(source, bytes, JsonFactory::createParser).use { parser ->
                 mapper.readTree<JsonNode?>(parser).also { requireEnd(source, parser) }
             }
+        } catch (e: SceneFormatException) {
+            throw e
         } catch (e: JsonProcessingException) {
             if (e is StreamConstraintsException && "nesting depth" in e.originalMessage) {
                 val most = source.loading.limits.nesting

@@ -40,7 +40,8 @@ internal class GltfInstances(private val document: GltfDocument, private val acc
         }
         val toNode = NodeTransforms.of(element(TRANSLATION), element(ROTATION)?.let(::unit), element(SCALE))
         val toWorld = Transforms.product(placed.toWorld, toNode)
-        return if (toWorld.isFinite) PlacedNode(placed.node, placed.index, toWorld, placed.isVisible) else null
+        if (!toWorld.isFinite) return null
+        return PlacedNode(placed.node, placed.index, toWorld, placed.path, placed.isVisible)
     }
 
     /** Returns the quaternion with length 1: integers give it only nearly. */

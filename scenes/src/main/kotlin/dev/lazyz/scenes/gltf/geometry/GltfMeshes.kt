@@ -1,10 +1,12 @@
 package dev.lazyz.scenes.gltf.geometry
 
+import de.javagl.jgltf.impl.v2.Mesh as MeshJson
 import de.javagl.jgltf.impl.v2.MeshPrimitive
 import de.javagl.jgltf.model.ElementType
 import dev.lazyz.scenes.gltf.document.GltfAccessors
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.materials.GltfMaterials
+import dev.lazyz.scenes.loading.PartNames
 import dev.lazyz.scenes.meshes.MissingNormals
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
@@ -40,8 +42,18 @@ internal class GltfMeshes(
         }
         val shown = instances.of(placed)
         for (part in own) repeated(part.surface, shown.size - 1L)
-        return shown.flatMap { instance -> own.map { withTangents(withNormals(poses.posed(it, mesh, instance))) } }
+        val name = name(placed, mesh)
+        return shown.flatMap { instance ->
+            own.map { named(withTangents(withNormals(poses.posed(it, mesh, instance))), name) }
+        }
     }
+
+    /** Returns the path of a node; a node without a name has that of its [mesh]. */
+    private fun name(placed: PlacedNode, mesh: MeshJson): String =
+        if (placed.node.name.isNullOrBlank()) PartNames.path(placed.path, mesh.name) else placed.path
+
+    private fun named(surface: Surface, name: String): Surface =
+        if (name.isEmpty()) surface else surface.withName(name)
 
     /** Counts [more] copies of [surface] with its triangles or lines; [GltfPoses] counts the vertices. */
     private fun repeated(surface: Surface, more: Long) {

@@ -5,6 +5,7 @@ import dev.lazyz.geometry.Transforms
 import dev.lazyz.scenes.gltf.animation.NodePose
 import dev.lazyz.scenes.gltf.document.ExtensionValues
 import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.loading.PartNames
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
 
@@ -14,9 +15,16 @@ import org.joml.Matrix4dc
  * @property node the node as stored in the file
  * @property index its number
  * @property toWorld transform from the node's space to world space; affine
+ * @property path names from the root to the node, with `/` between them
  * @property isVisible whether its mesh and its light are shown, by `KHR_node_visibility` of the node and its ancestors
  */
-internal class PlacedNode(val node: Node, val index: Int, val toWorld: Matrix4dc, val isVisible: Boolean)
+internal class PlacedNode(
+    val node: Node,
+    val index: Int,
+    val toWorld: Matrix4dc,
+    val path: String,
+    val isVisible: Boolean,
+)
 
 /** Walks the nodes of the default scene (section 3.5). */
 internal class GltfNodes(private val document: GltfDocument, private val poses: Map<Int, NodePose>) {
@@ -33,11 +41,17 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
      * must form trees (3.5.2).
      */
     fun walk(): List<PlacedNode> {
-        class Pending(val index: Int, val where: String, val toParent: Matrix4dc, val isVisible: Boolean)
+        class Pending(
+            val index: Int,
+            val where: String,
+            val toParent: Matrix4dc,
+            val above: String,
+            val isVisible: Boolean,
+        )
 
         // An explicit stack, because a chain of nodes may be deeper than the call stack allows
         val pending = ArrayDeque<Pending>()
-        for ((index, where) in roots().asReversed()) pending.addLast(Pending(index, where, rootToWorld, true))
+        for ((index, where) in roots().asReversed()) pending.addLast(Pending(index, where, rootToWorld, "", true))
         val seen = HashSet<Int>()
         val placed = ArrayList<PlacedNode>()
         while (pending.isNotEmpty()) {
@@ -47,11 +61,13 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
             if (!seen.add(next.index)) document.fail(next.where, "node ${next.index} has two parents or holds itself")
             val toWorld = Transforms.product(next.toParent, NodeTransforms.of(node, poses[next.index]))
             this.toWorld[next.index] = toWorld
+            val path = PartNames.path(next.above, node.name)
+            document.source.loading.decode(document.source, PartNames.bytes(path))
             val isVisible = next.isVisible && ExtensionValues.of(node, VISIBILITY)?.get("visible") != false
-            placed.add(PlacedNode(node, next.index, toWorld, isVisible))
+            placed.add(PlacedNode(node, next.index, toWorld, path, isVisible))
             for ((i, child) in children(node).withIndex().reversed()) {
                 document.source.step()
-                pending.addLast(Pending(child ?: -1, "nodes[${next.index}].children[$i]", toWorld, isVisible))
+                pending.addLast(Pending(child ?: -1, "nodes[${next.index}].children[$i]", toWorld, path, isVisible))
             }
         }
         return placed
