@@ -41,7 +41,7 @@ internal object Pages {
     }
 
     private fun live(service: Service): Answer {
-        if (service.queue.isStuck) throw Problem(Problem.UNAVAILABLE, "all threads hang; restart the process")
+        if (service.queue.isStuck) throw Problem(Problem.UNAVAILABLE, "threads hang, and nothing is rendered: restart")
         return Answer.text("alive\n")
     }
 

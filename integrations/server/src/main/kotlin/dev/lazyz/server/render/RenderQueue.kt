@@ -36,6 +36,7 @@ internal class RenderQueue(
 
     /** The threads that take jobs: all but those that hang. */
     private var active = 0
+    private var hangingMemory = 0L
 
     init {
         lock.withLock { repeat(threads) { startWorker() } }
@@ -61,8 +62,11 @@ internal class RenderQueue(
     val isFull: Boolean
         get() = lock.withLock { isClosed || active == 0 || jobs.size + atWork.size >= threads + capacity }
 
-    /** Whether all threads hang, so that nothing will be rendered any more. */
-    val isStuck: Boolean get() = lock.withLock { active == 0 }
+    /** Whether nothing is rendered: all threads hang, or those that hang hold the memory that the next job needs. */
+    val isStuck: Boolean
+        get() = lock.withLock {
+            active == 0 || hangingMemory > 0 && jobs.isNotEmpty() && jobs.first().need > memory - hangingMemory
+        }
 
     /** Adds [job], or returns false if the queue is full. */
     fun offer(job: RenderJob): Boolean = lock.withLock {
@@ -196,6 +200,7 @@ internal class RenderQueue(
             job.thread?.interrupt()
             active--
             hanging++
+            hangingMemory += job.need
             if (hanging <= threads && !isClosed) startWorker()
             changed.signalAll()
         }
@@ -218,6 +223,7 @@ internal class RenderQueue(
         changed.signalAll()
         if (atWork.remove(job)) return true
         hanging--
+        hangingMemory -= job.need
         if (active >= threads) return false
         active++
         return true

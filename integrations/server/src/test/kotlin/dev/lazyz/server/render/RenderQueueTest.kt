@@ -183,6 +183,20 @@ class RenderQueueTest {
     }
 
     @Test
+    fun aQueueWhoseMemoryIsHeldByThreadsThatHangIsStuck() = RenderQueue(1, 5, 100, SHORT).use { queue ->
+        val bad = job("bad", 60, ::hang).also(queue::offer)
+        take(begun)
+        queue.offer(job("large", 50) { picture })
+        assertFalse(queue.isStuck)
+        queue.cancel(bad, Problem(Problem.GONE, "gone"))
+        take(ended)
+        assertTrue(queue.isStuck)
+        release.countDown()
+        assertSame(picture, take(ended).picture)
+        assertFalse(queue.isStuck)
+    }
+
+    @Test
     fun closingDoesNotWaitForThreadsThatHang() {
         val queue = RenderQueue(1, 1, 100, SHORT)
         queue.offer(job("bad", 1, ::hang))
