@@ -22,9 +22,9 @@ import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.StreamedMesh
 import dev.lazyz.world.surface.Surface
+import java.util.function.UnaryOperator
 import org.joml.Vector3d
 import org.joml.Vector3dc
-import java.util.function.UnaryOperator
 
 /**
  * Surfaces, lights and a viewpoint, in world space: right-handed, y up, any unit of length.

@@ -203,7 +203,8 @@ class EdgeDrawingTest {
 
         // The upper side of the one behind is in row 49, columns 5 to 95; the other one is in columns 37.5 to 63
         assertEquals(listOf(3..38, 61..95), image.blackColumns(49))
-        val hidden = render(listOf(back, front), EdgeStyle(width = 3.0, hidden = HiddenLines.SOLID, hiddenColor = Rgba.BLACK))
+        val hidden =
+            render(listOf(back, front), EdgeStyle(width = 3.0, hidden = HiddenLines.SOLID, hiddenColor = Rgba.BLACK))
         assertEquals(listOf(3..95), hidden.blackColumns(49))
         val dashed = render(listOf(back, front), EdgeStyle(hidden = HiddenLines.DASHED, hiddenColor = Rgba.BLACK))
 

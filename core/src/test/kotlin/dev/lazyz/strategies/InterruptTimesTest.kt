@@ -69,7 +69,8 @@ class InterruptTimesTest {
         val start = threads.getThreadCpuTime(thread.id) + helpers() - before
         thread.interrupt()
         thread.join()
-        return (checkNotNull(end.get()) { "ended without an InterruptedException" } + helpers() - before - start) / 1_000_000
+        return (checkNotNull(end.get()) { "ended without an InterruptedException" } + helpers() - before - start) /
+            1_000_000
     }
 
     /** Processor time of the library's own threads. */

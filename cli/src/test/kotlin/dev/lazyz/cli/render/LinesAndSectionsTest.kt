@@ -117,7 +117,7 @@ class LinesAndSectionsTest {
         mistake("--wireframe contains", "--edges", "--wireframe")
         mistake("--cap-color needs --cut", "--cap-color", "f00")
         mistake("--hidden-color needs --hidden-lines dashed or solid", "--edges", "--hidden-color", "f00")
-        mistake("--hidden-color must be opaque", "--edges", "--hidden-lines", "solid", "--hidden-color", "f008")
+        mistake("--hidden-color must be opaque", "--edges", "--hidden-lines", "solid", "--hidden-color", "ff000080")
         mistake("--edge-color must be opaque", "--edges", "--edge-color", "ff000080")
         mistake("not a plane", "--cut", "w=1")
         mistake("not a plane", "--cut", "0,0,0,1")

@@ -12,13 +12,13 @@ import dev.lazyz.pipeline.Row
 import dev.lazyz.pipeline.Stage
 import dev.lazyz.requireInMemory
 import dev.lazyz.requireOpaque
+import java.io.IOException
+import kotlin.coroutines.CoroutineContext
 import kotlinx.coroutines.currentCoroutineContext
 import kotlinx.coroutines.ensureActive
 import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.flow
 import kotlinx.coroutines.runBlocking
-import java.io.IOException
-import kotlin.coroutines.CoroutineContext
 
 /**
  * The lazy z-buffer's pipeline as a [Flow]: rows are emitted to a collector when the collector is ready for them.

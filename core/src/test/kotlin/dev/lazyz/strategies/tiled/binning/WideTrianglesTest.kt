@@ -1,7 +1,7 @@
 package dev.lazyz.strategies.tiled.binning
 
-import dev.lazyz.Coherence
 import dev.lazyz.Checkpoint
+import dev.lazyz.Coherence
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
