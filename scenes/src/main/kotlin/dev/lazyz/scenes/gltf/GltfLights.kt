@@ -7,6 +7,7 @@ import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.geometry.PlacedNode
 import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
+import dev.lazyz.world.Scene
 import org.joml.Vector3d
 
 /**
@@ -25,8 +26,8 @@ internal class GltfLights(private val document: GltfDocument) {
         ExtensionValues.of(document.json, GltfExtensions.LIGHTS)?.get("lights") as? List<*> ?: emptyList<Any>()
     }
 
-    /** Returns the lights of [nodes] for a scene with [bounds]. */
-    fun of(nodes: List<PlacedNode>, bounds: Box?): List<Light> {
+    /** Returns the lights of [nodes] for [scene]. */
+    fun of(nodes: List<PlacedNode>, scene: Scene): List<Light> {
         val own = nodes.mapNotNull { node ->
             val reference = ExtensionValues.of(node.node, GltfExtensions.LIGHTS) ?: return@mapNotNull null
             val where = "nodes[${node.index}].extensions.${GltfExtensions.LIGHTS}.light"
@@ -40,6 +41,8 @@ internal class GltfLights(private val document: GltfDocument) {
                 null
             }
         }
+        if (own.isEmpty()) return own
+        val bounds = scene.bounds
         val sum = own.sumOf { measure(it, bounds) }
         if (sum in LEAST..MOST || !(sum > 0.0)) return own
         return own.map { it.scaled((1.0 / sum).toFloat()) }

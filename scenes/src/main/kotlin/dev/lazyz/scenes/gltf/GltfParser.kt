@@ -43,7 +43,7 @@ internal object GltfParser : SceneParser {
         source.cameras += GltfCameras(document, Scene(surfaces)).all(nodes)
         val first = source.cameras.firstOrNull()
         val scene = if (first == null) Scene(surfaces) else Scene(surfaces, viewpoint = first.camera)
-        val lights = GltfLights(document).of(visible, scene.bounds)
+        val lights = GltfLights(document).of(visible, scene)
         GltfExtensions.warnOfUnknown(document)
         document.warnOfCounts()
         if (lights.isEmpty()) return scene

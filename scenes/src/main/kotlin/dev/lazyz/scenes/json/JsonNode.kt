@@ -24,6 +24,7 @@ internal class JsonNode(private val source: Source, val path: String, private va
 
     /** Returns the members of an object. A member that is not in [known] is an error. */
     fun members(vararg known: String): JsonMembers {
+        source.step(known.size)
         if (element !is Map<*, *>) wrongType("an object with ${known.joinToString()}")
         for (key in element.keys) {
             source.step()

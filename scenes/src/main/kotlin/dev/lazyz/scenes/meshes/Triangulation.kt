@@ -15,7 +15,7 @@ import earcut4j.Earcut
  */
 internal object Triangulation {
     /** Maximum corners of a polygon. A reader need not look at the corners of a larger one. */
-    const val MAX_CORNERS = 1 shl 20
+    const val MAX_CORNERS = 1 shl 18
 
     /** Maximum corners of a concave polygon, for which ear clipping may take quadratic time. */
     const val MAX_CONCAVE_CORNERS = 4096
@@ -29,7 +29,7 @@ internal object Triangulation {
     /**
      * Returns the triangles, three corner numbers each, of the polygon with the corners [xyz] (x, y, z for each), or
      * null if there are too many corners: more than [MAX_CONCAVE_CORNERS] of a concave polygon, more than
-     * [MAX_CROSSING_CORNERS] of one that crosses itself, or a million. Fewer than three corners make no triangle.
+     * [MAX_CROSSING_CORNERS] of one that crosses itself, or [MAX_CORNERS]. Fewer than three corners make no triangle.
      *
      * @param step counts steps of work; throws to end it
      */

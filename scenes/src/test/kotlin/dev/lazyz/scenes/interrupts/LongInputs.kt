@@ -21,7 +21,7 @@ internal class LongInput(
 
 /** Files of each format, one for each construct that a file can repeat. */
 internal object LongInputs {
-    private const val BYTES = 3 shl 20
+    private const val BYTES = 2 shl 20
 
     val all: List<LongInput> = ply() + obj() + stl() + off() + threeMf() + gltf() + gltf1() + scenes()
 

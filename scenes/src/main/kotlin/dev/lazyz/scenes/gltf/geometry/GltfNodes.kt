@@ -51,7 +51,10 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
 
         // An explicit stack, because a chain of nodes may be deeper than the call stack allows
         val pending = ArrayDeque<Pending>()
-        for ((index, where) in roots().asReversed()) pending.addLast(Pending(index, where, rootToWorld, "", true))
+        for ((index, where) in roots().asReversed()) {
+            document.source.step()
+            pending.addLast(Pending(index, where, rootToWorld, "", true))
+        }
         val seen = HashSet<Int>()
         val placed = ArrayList<PlacedNode>()
         while (pending.isNotEmpty()) {
@@ -65,9 +68,11 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
             document.source.loading.decode(document.source, PartNames.bytes(path))
             val isVisible = next.isVisible && ExtensionValues.of(node, VISIBILITY)?.get("visible") != false
             placed.add(PlacedNode(node, next.index, toWorld, path, isVisible))
-            for ((i, child) in children(node).withIndex().reversed()) {
+            val children = children(node)
+            for (i in children.indices.reversed()) {
                 document.source.step()
-                pending.addLast(Pending(child ?: -1, "nodes[${next.index}].children[$i]", toWorld, path, isVisible))
+                val where = "nodes[${next.index}].children[$i]"
+                pending.addLast(Pending(children[i] ?: -1, where, toWorld, path, isVisible))
             }
         }
         return placed
@@ -100,10 +105,20 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
         if (index != null) {
             val scene = document.element(document.json.scenes, index, "scenes", "scene")
             val numbers: List<Int?> = scene.nodes.orEmpty()
-            return numbers.mapIndexed { i, node -> Pair(node ?: -1, "scenes[$index].nodes[$i]") }
+            return numbers.mapIndexed { i, node ->
+                document.source.step()
+                Pair(node ?: -1, "scenes[$index].nodes[$i]")
+            }
         }
-        val isChild = nodes.flatMapTo(HashSet()) { children(it) }
-        return nodes.indices.filter { it !in isChild }.map { Pair(it, "nodes[$it]") }
+        val isChild = HashSet<Int?>()
+        for (node in nodes) {
+            document.source.step(1 + children(node).size)
+            isChild += children(node)
+        }
+        return nodes.indices.filter { it !in isChild }.map {
+            document.source.step()
+            Pair(it, "nodes[$it]")
+        }
     }
 
     private fun children(node: Node?): List<Int?> = node?.children.orEmpty()

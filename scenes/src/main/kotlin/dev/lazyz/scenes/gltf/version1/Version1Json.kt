@@ -52,8 +52,14 @@ internal class Version1Json private constructor(
 
     /** Numbers the objects of a list. The data of a binary file comes first, as version 2.0 requires. */
     private fun number(list: String) {
-        val all = old.path(list).properties().map { it.key }.sortedBy { it != BINARY }
-        names[list] = all.withIndex().associate { (i, name) -> name to i }
+        val all = old.path(list)
+        val numbers = LinkedHashMap<String, Int>()
+        if (all.has(BINARY)) numbers[BINARY] = 0
+        for (name in all.fieldNames()) {
+            source.step()
+            numbers.putIfAbsent(name, numbers.size)
+        }
+        names[list] = numbers
     }
 
     private fun list(name: String): ArrayNode = new.withArrayProperty(name)
