@@ -138,12 +138,16 @@ class WorkersTest {
         val planted = IllegalStateException()
         val caller = Thread.currentThread()
         val helper = CompletableFuture<Thread>()
+        val hasBegun = CountDownLatch(1)
         val thrown = assertThrows(IllegalStateException::class.java) {
             Workers(2, LibraryThreads).forEach(2, Checkpoint.CALLER) { _, checkpoint ->
                 if (Thread.currentThread() !== caller) {
+                    // After a failure, the caller would not begin
+                    hasBegun.await()
                     helper.complete(Thread.currentThread())
                     throw planted
                 }
+                hasBegun.countDown()
 
                 // Until the other thread has failed, and waits for more work
                 while (helper.get().state != Thread.State.TIMED_WAITING) Thread.onSpinWait()
