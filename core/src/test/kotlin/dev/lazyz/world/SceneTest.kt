@@ -51,7 +51,9 @@ class SceneTest {
             assertTrue("none of the ${surfaces.size} surfaces" in error.message!!, error.message)
         }
         val second = TextureMap(red, uvSet = 1)
-        assertThrows(IllegalArgumentException::class.java) { Scene(listOf(placed)).withMaterials { it.withEmissionMap(second) } }
+        assertThrows(IllegalArgumentException::class.java) {
+            Scene(listOf(placed)).withMaterials { it.withEmissionMap(second) }
+        }
 
         // What was there before stays: its coordinates count as (0, 0)
         val given = Scene(listOf(Mesh(bare.positions, bare.triangles, Material(texture = red))))

@@ -32,7 +32,13 @@ internal class OffHeader private constructor(
         private fun keyword(word: String): Pair<String, String>? {
             var letters = 0
             while (letters < word.length) {
-                letters += if (word.startsWith("ST", letters)) 2 else if (word[letters] in "CN4n") 1 else break
+                letters += if (word.startsWith("ST", letters)) {
+                    2
+                } else if (word[letters] in "CN4n") {
+                    1
+                } else {
+                    break
+                }
             }
             val behind = word.drop(letters + 3)
             val isOne = word.startsWith("OFF", letters) || word.startsWith("off", letters)
