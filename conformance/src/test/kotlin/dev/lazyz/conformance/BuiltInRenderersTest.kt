@@ -18,9 +18,9 @@ import org.junit.jupiter.api.TestFactory
 
 /**
  * Runs the suite on every built-in renderer and on the oracle, with the efforts `rest` and `full`. By default only
- * [ZBufferConformanceTest] runs it, and [StrategiesAgreeProperties] compares the others with `zbuffer`. `rest` tests the
- * default renderer with all rules, and the others with those that take short and one that takes long; `full` tests all
- * with all rules. See [TestEffort].
+ * [ZBufferConformanceTest] runs it, and [StrategiesAgreeProperties] compares the others with `zbuffer`. `rest` tests
+ * the default renderer with all rules, and the others with those that take short and one that takes long; `full` tests
+ * all with all rules. See [TestEffort].
  */
 class BuiltInRenderersTest {
     @TestFactory

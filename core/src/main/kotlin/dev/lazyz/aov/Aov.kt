@@ -53,8 +53,8 @@ public enum class Aov(
     UV("uv", listOf("u", "v"), false, 0.0, "texture coordinates"),
 
     /**
-     * Number of the surface in [Scene.surfaces], from 0; [AovImage.names] has their names. 0 for all primitives of a frame that was not set up from a
-     * scene.
+     * Number of the surface in [Scene.surfaces], from 0; [AovImage.names] has their names. 0 for all primitives of a
+     * frame that was not set up from a scene.
      */
     OBJECT("object", listOf("id"), true, -1.0, "number of the surface in the scene"),
 

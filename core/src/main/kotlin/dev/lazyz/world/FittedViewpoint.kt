@@ -135,8 +135,8 @@ public class FittedViewpoint internal constructor(
 
     public companion object {
         /**
-         * Returns a rule that shows the whole scene from the side from which [viewpoint] shows it, with the same kind of
-         * projection: [viewpoint] itself if it is fitted; from the direction of a [Camera]; or the usual one.
+         * Returns a rule that shows the whole scene from the side from which [viewpoint] shows it, with the same kind
+         * of projection: [viewpoint] itself if it is fitted; from the direction of a [Camera]; or the usual one.
          */
         @JvmStatic
         public fun like(viewpoint: Viewpoint): FittedViewpoint {

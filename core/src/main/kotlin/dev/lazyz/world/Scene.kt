@@ -189,9 +189,9 @@ public class Scene private constructor(
         }
 
     /**
-     * Returns this scene with each material replaced by the result of [change]. Where [change] adds a texture or another
-     * map, it has no effect on surfaces without the texture coordinates that it needs: these get the material without
-     * the map.
+     * Returns this scene with each material replaced by the result of [change]. Where [change] adds a texture or
+     * another map, it has no effect on surfaces without the texture coordinates that it needs: these get the material
+     * without the map.
      *
      * @throws IllegalArgumentException if no surface has the texture coordinates that the added maps need
      */

@@ -21,7 +21,9 @@ import org.junit.jupiter.params.provider.EnumSource
 class InterruptsTest {
     private val raster = Raster(SIDE, SIDE)
 
-    /** The kinds of calls, and how many may follow an interrupt. A strategy may finish a row of a band, or of a tile. */
+    /**
+     * The kinds of calls, and how many may follow an interrupt. A strategy may finish a row of a band, or of a tile.
+     */
     enum class Call(val most: Int) {
         SPANS(BAND),
         DEPTH(BAND * SIDE),

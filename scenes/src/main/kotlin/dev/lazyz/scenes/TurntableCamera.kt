@@ -9,9 +9,9 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * The cameras of a turn around a scene, in equal steps: always at the same distance from one point of the up axis, which
- * goes through the middle of the scene's box. From the nearest step the scene touches a margin, and no step shows more
- * than the picture. [Turntable] uses it for models with their settings.
+ * The cameras of a turn around a scene, in equal steps: always at the same distance from one point of the up axis,
+ * which goes through the middle of the scene's box. From the nearest step the scene touches a margin, and no step shows
+ * more than the picture. [Turntable] uses it for models with their settings.
  *
  * Cost: two times as many fitted cameras as there are [steps], once. Immutable and thread safe.
  *

@@ -59,7 +59,9 @@ public interface Surface {
      */
     public fun withMaterials(change: UnaryOperator<Material>): Surface = this
 
-    /** Returns this surface with another [name]; a custom surface that does not override this function keeps its own. */
+    /**
+     * Returns this surface with another [name]; a custom surface that does not override this function keeps its own.
+     */
     public fun withName(name: String): Surface = this
 
     /**

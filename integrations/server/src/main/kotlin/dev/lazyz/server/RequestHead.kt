@@ -39,7 +39,7 @@ internal object RequestHead {
             number.length > 1 && number[0] == '[' && number.drop(1).all { isLetterOrDigit(it) || it in "_.:" }
         }
         val port = text.substring(host.length)
-        return isValid && (port.isEmpty() || port[0] == ':' && port.drop(1).all { it in '0'..'9' })
+        return isValid && (port.isEmpty() || (port[0] == ':' && port.drop(1).all { it in '0'..'9' }))
     }
 
     private fun isLetterOrDigit(character: Char): Boolean = character < '\u0080' && character.isLetterOrDigit()

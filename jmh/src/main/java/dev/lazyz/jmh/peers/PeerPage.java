@@ -13,7 +13,10 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Predicate;
 
-/** Writes the tables of {@code docs/performance.md} and its charts from the results of {@link SideBySide} and {@link Jobs}. */
+/**
+ * Writes the tables of {@code docs/performance.md} and its charts from the results of {@link SideBySide} and {@link
+ * Jobs}.
+ */
 public final class PeerPage {
     /** Width and height of the pictures in tables. */
     private static final int SIDE = 1024;

@@ -18,7 +18,8 @@ import java.util.function.Predicate;
  * Numbers that were measured, and facts about the machine and the run.
  *
  * <p>In a file, a fact is a line {@code # name: value}, and a number is a line of comma-separated values: quantity with
- * its unit, subject, program, round, value. Pages of the documentation show such files, which lie in folders beside them.
+ * its unit, subject, program, round, value. Pages of the documentation show such files, which lie in folders beside
+ * them.
  */
 public final class Measurements {
     private static final String HEAD = "quantity,subject,program,round,value";
@@ -160,7 +161,9 @@ public final class Measurements {
         return median(ascending(quantity, subject, program));
     }
 
-    /** Returns how many times as large the number of {@code base} is, for each round that has both, in ascending order. */
+    /**
+     * Returns how many times as large the number of {@code base} is, for each round that has both, in ascending order.
+     */
     public double[] ratios(String quantity, String subject, String program, String base) {
         return of(quantity, subject, program).stream()
                 .flatMapToDouble(own -> of(quantity, subject, base).stream()

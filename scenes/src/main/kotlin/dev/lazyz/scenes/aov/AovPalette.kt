@@ -89,7 +89,9 @@ internal class AovPalette private constructor(
             }
         }
 
-        /** Returns the last part of the [name] of an object, or its number if it has none, or not only letters of ASCII. */
+        /**
+         * Returns the last part of the [name] of an object, or its number if it has none, or not only letters of ASCII.
+         */
         private fun label(id: Int, name: String?): String {
             val own = name?.substringAfterLast('/').orEmpty()
             return if (own.isNotEmpty() && own.all { it in ' '..'~' }) own.take(LONGEST_LABEL) else "$id"

@@ -5,8 +5,8 @@ import java.awt.image.DataBufferInt
 import java.io.IOException
 
 /**
- * A Truevision TGA file (Truevision, "TGA File Format Specification", version 2.0, 1991): colours of 15 to 32 bits, grey
- * or colour-mapped, with or without run-length encoding.
+ * A Truevision TGA file (Truevision, "TGA File Format Specification", version 2.0, 1991): colours of 15 to 32 bits,
+ * grey or colour-mapped, with or without run-length encoding.
  *
  * Alpha counts if the header says that pixels have alpha bits, unless all of them are 0: some programs write it so for
  * opaque pictures. The format has no signature, so [of] checks all that the header says.

@@ -16,8 +16,8 @@ internal class JsonNumber(val text: String) {
 }
 
 /**
- * Parses a file to a tree: maps, lists, texts, [JsonNumber], booleans and nulls. Reports the place of every error. A key
- * that occurs twice in one object is an error.
+ * Parses a file to a tree: maps, lists, texts, [JsonNumber], booleans and nulls. Reports the place of every error. A
+ * key that occurs twice in one object is an error.
  */
 internal object JsonText {
     /** Returns the only value in [source]. */

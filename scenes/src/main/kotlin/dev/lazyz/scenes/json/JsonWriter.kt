@@ -29,14 +29,23 @@ internal class JsonWriter(private val out: Appendable) {
         out.append(": ")
     }
 
+    /** Writes a text. Half of a pair of surrogates, which readers of JSON refuse, becomes the replacement character. */
     fun text(value: String) {
         out.append('"')
-        for (char in value) {
+        var previous = ' '
+        for ((index, char) in value.withIndex()) {
+            val isHalf = if (char.isHighSurrogate()) {
+                !value.getOrElse(index + 1) { ' ' }.isLowSurrogate()
+            } else {
+                char.isLowSurrogate() && !previous.isHighSurrogate()
+            }
             when {
+                isHalf -> out.append("\\ufffd")
                 char == '"' || char == '\\' -> out.append('\\').append(char)
                 char < ' ' || char.isSurrogate() -> out.append("\\u%04x".format(char.code))
                 else -> out.append(char)
             }
+            previous = char
         }
         out.append('"')
     }

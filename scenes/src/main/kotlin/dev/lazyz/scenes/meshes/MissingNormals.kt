@@ -61,7 +61,9 @@ internal object MissingNormals {
         return missing
     }
 
-    /** Returns [mesh] with normals from [smooth], whose corners are the same, or of [flat] triangles, at [missing] ones. */
+    /**
+     * Returns [mesh] with normals from [smooth], whose corners are the same, or of [flat] triangles, at [missing] ones.
+     */
     private fun combined(source: Source, mesh: Mesh, missing: BitSet, flat: BitSet, smooth: Mesh): Mesh {
         val ofTriangles = if (flat.isEmpty) smooth else smooth.withSmoothNormals(creaseAngle = 0.0)
 

@@ -10,8 +10,8 @@ import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Surface
 
 /**
- * Points and lines of an OBJ file, by name and material, in the order of the file. Texture coordinates are not kept. Not thread
- * safe.
+ * Points and lines of an OBJ file, by name and material, in the order of the file. Texture coordinates are not kept.
+ * Not thread safe.
  */
 internal class ObjPoints {
     private class Numbers {

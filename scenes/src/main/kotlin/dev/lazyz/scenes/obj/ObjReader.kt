@@ -16,8 +16,8 @@ internal class ObjReader(private val source: Source, val model: ObjModel) {
     private val vertices = ObjVertexReader(source, statements, model.origin, model)
     private val ignored = ObjIgnored()
 
-    // State for what follows: number of `o` statements so far, name of the last one, path of the last `o` and the last `g`
-    // after it, last `usemtl`, and false after `s off`
+    // State for what follows: number of `o` statements so far, name of the last one, path of the last `o` and the last
+    // `g` after it, last `usemtl`, and false after `s off`
     private var objectNumber = 0
     private var objectName = ""
     private var path = ""

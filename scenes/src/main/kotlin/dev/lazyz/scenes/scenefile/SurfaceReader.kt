@@ -56,8 +56,8 @@ internal class SurfaceReader(
     }
 
     /**
-     * Returns [surfaces] with [material]. Those of a file that [node] names are without its maps if they have no texture
-     * coordinates, with a warning; fails if none has any.
+     * Returns [surfaces] with [material]. Those of a file that [node] names are without its maps if they have no
+     * texture coordinates, with a warning; fails if none has any.
      */
     private fun painted(surfaces: List<Surface>, material: Material, node: JsonNode): List<Surface> {
         val set = material.textureMap?.uvSet

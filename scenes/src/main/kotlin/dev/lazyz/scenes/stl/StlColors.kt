@@ -6,8 +6,8 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.Palette
 
 /**
- * The colours in the 16-bit words after a binary file's facets. There are three kinds (A. F. van der Geest, "Colour STL",
- * about 1999, and Materialise, "Colour in binary STL", as described in the manuals of VisCAM and Magics).
+ * The colours in the 16-bit words after a binary file's facets. There are three kinds (A. F. van der Geest, "Colour
+ * STL", about 1999, and Materialise, "Colour in binary STL", as described in the manuals of VisCAM and Magics).
  *
  * - Materialise Magics: the header contains `COLOR=`, then red, green, blue and alpha of the whole solid, one byte
  *   each. A word with bit 15 clear is a facet's own colour: 5 bits each of red (the lowest), green and blue.
@@ -16,9 +16,9 @@ import dev.lazyz.scenes.meshes.Palette
  * - VisCAM, SolidView: the header does not contain `COLOR=`. A word with bit 15 set is a facet's colour: 5 bits each of
  *   blue (the lowest), green and red.
  *
- * With `COLOR=`, a word that is not zero and has bit 15 clear shows that the file is of the first kind; otherwise a word
- * with bit 15 set that is neither black nor white shows that it is of the second. If there is neither, the colour of
- * the whole counts only if all facets refer to it, by bit 15: MeshLab writes that header for models without colours,
+ * With `COLOR=`, a word that is not zero and has bit 15 clear shows that the file is of the first kind; otherwise a
+ * word with bit 15 set that is neither black nor white shows that it is of the second. If there is neither, the colour
+ * of the whole counts only if all facets refer to it, by bit 15: MeshLab writes that header for models without colours,
  * too. Without `COLOR=`, words are colours only if one of them has bit 15 set and is not black, and if those with
  * bit 15 clear are all the same, because some programs store other numbers there. All colours are sRGB-encoded. Alpha
  * is ignored.

@@ -10,8 +10,9 @@ import java.nio.charset.Charset
  * The statements of an OBJ or MTL text, and their words.
  *
  * A line that ends with a backslash is joined with the next one, unless it ends with a comment. White space around a
- * statement is removed. Empty lines and comment lines are skipped. The text must not have a byte order mark. Names are UTF-8, or ISO 8859-1 if the text
- * is not valid UTF-8; if the text is not in memory, this is decided for each word. Not thread safe.
+ * statement is removed. Empty lines and comment lines are skipped. The text must not have a byte order mark. Names are
+ * UTF-8, or ISO 8859-1 if the text is not valid UTF-8; if the text is not in memory, this is decided for each word. Not
+ * thread safe.
  *
  * @param window the text, or its beginning; holds at least the current line, and changes with the line
  */

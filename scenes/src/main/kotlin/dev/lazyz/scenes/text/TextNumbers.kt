@@ -32,7 +32,10 @@ internal object TextNumbers {
         }
     }
 
-    /** Returns a remedy for [word], which is not a number, or null. A comma that is not between digits is no decimal one. */
+    /**
+     * Returns a remedy for [word], which is not a number, or null. A comma that is not between digits is no decimal
+     * one.
+     */
     fun remedy(word: String): String? = when {
         ',' !in word -> null
         '.' in word || word.count { it == ',' } > 1 || word.startsWith(',') || word.endsWith(',') ->

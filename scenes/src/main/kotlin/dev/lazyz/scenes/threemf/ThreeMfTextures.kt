@@ -37,7 +37,10 @@ internal class ThreeMfTextures(private val source: Source, private val archive: 
         )
     }
 
-    /** Returns the size of an image of [size] with what is beyond its border: as much as the image, but two texels at least. */
+    /**
+     * Returns the size of an image of [size] with what is beyond its border: as much as the image, but two texels at
+     * least.
+     */
     private fun size(size: Int, style: String?): Long = if (style ==
         NONE
     ) {

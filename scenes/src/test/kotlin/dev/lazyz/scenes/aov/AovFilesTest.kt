@@ -112,8 +112,8 @@ class AovFilesTest {
 
     @Test
     fun namesOfObjectsAreATable() {
-        val named =
-            AovImage(Aov.OBJECT, region, intArrayOf(-1, 0, 1, 1, 1, -1), names = listOf("a\uD83D\uDE97", "\uD800", "end"))
+        val names = listOf("a\uD83D\uDE97", "\uD800", "end")
+        val named = AovImage(Aov.OBJECT, region, intArrayOf(-1, 0, 1, 1, 1, -1), names = names)
         val archive = written("named.npz", named, depth)
         ZipInputStream(archive.inputStream()).use { entries ->
             val found = generateSequence { entries.nextEntry }.associate { it.name to npy(entries.readBytes()) }

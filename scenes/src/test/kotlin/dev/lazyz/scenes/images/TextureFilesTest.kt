@@ -137,7 +137,9 @@ class TextureFilesTest {
             val luma = 0.299 * c + 0.587 * m + 0.114 * y
             val ycck = listOf(luma, 128 + (y - luma) * 0.564, 128 + (c - luma) * 0.713).map { Math.round(it).toInt() }
             val files = listOf(
-                fourNumbers(inverted, 0), fourNumbers(inverted, null), fourNumbers(ycck.map { minOf(it, 255) } + (255 - k), 2),
+                fourNumbers(inverted, 0),
+                fourNumbers(inverted, null),
+                fourNumbers(ycck.map { minOf(it, 255) } + (255 - k), 2),
             )
             for ((form, file) in files.withIndex()) {
                 val color = texels(file)[0].toLong(16).toInt()
@@ -151,7 +153,15 @@ class TextureFilesTest {
     }
 
     /** A TGA of [width] pixels in each row. */
-    private fun tga(type: Int, depth: Int, width: Int, height: Int, data: ByteArray, descriptor: Int = 0, map: Boolean = false) =
+    private fun tga(
+        type: Int,
+        depth: Int,
+        width: Int,
+        height: Int,
+        data: ByteArray,
+        descriptor: Int = 0,
+        map: Boolean = false,
+    ) =
         bytes(2, if (map) 1 else 0, type, if (map) 5 else 0, 0, if (map) 2 else 0, 0, if (map) 24 else 0, 0, 0, 0, 0) +
             bytes(width, width shr 8, height, height shr 8, depth, descriptor) + "id".toByteArray() +
             (if (map) bytes(30, 20, 10, 50, 100, 200) else ByteArray(0)) + data
@@ -191,13 +201,16 @@ class TextureFilesTest {
             for (length in file.indices) assertNull(TextureFiles.decode(source, file.copyOf(length), "test"), "$length")
             for (at in file.indices) {
                 for (change in listOf(0xFF, 1, 0x80)) {
-                    TextureFiles.decode(source, file.copyOf().also { it[at] = (it[at].toInt() xor change).toByte() }, "test")
+                    val damaged = file.copyOf().also { it[at] = (it[at].toInt() xor change).toByte() }
+                    TextureFiles.decode(source, damaged, "test")
                 }
             }
         }
         assertNull(TextureFiles.decode(source, tga(1, 8, 1, 1, bytes(4), map = true), "test"), "no such colour")
         val before = allocated()
-        for (type in listOf(2, 10)) assertNull(TextureFiles.decode(source, tga(type, 24, 65535, 65535, ByteArray(9000)), "test"))
+        for (type in listOf(2, 10)) {
+            assertNull(TextureFiles.decode(source, tga(type, 24, 65535, 65535, ByteArray(9000)), "test"))
+        }
         assertTrue(allocated() - before < 10_000_000)
         val small = Source(ByteArray(0), "test", null, Loading(LoadOptions(LoadLimits(texels = 5))))
         val error = assertThrows(SceneFormatException::class.java) { TextureFiles.decode(small, packed, "test") }

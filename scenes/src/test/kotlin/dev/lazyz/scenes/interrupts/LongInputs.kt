@@ -72,7 +72,11 @@ internal object LongInputs {
             },
             rows("edges", "element edge 99999999\nproperty int vertex1\nproperty int vertex2") { "0 1\n" },
             rows("rows of no use", "element a 99999999\nproperty int b") { "1\n" },
-            binary("binary faces", "element face 99999999\nproperty list uchar int vertex_indices", "\u0003" + "\u0000".repeat(12)),
+            binary(
+                "binary faces",
+                "element face 99999999\nproperty list uchar int vertex_indices",
+                "\u0003" + "\u0000".repeat(12),
+            ),
             binary("binary rows", "element a 99999999\nproperty list uchar char b", "\u0000"),
             binary("a binary list", "element a 1\nproperty list uint char b", "\u0001\u0002\u0003\u0000"),
         )
@@ -101,7 +105,10 @@ internal object LongInputs {
             of("comments") { "# a\n" },
             of("empty lines") { "\n" },
             of("joined lines") { "\\\n" },
-            of("faces that cross themselves", (0 until 4096).joinToString("") { "v ${it * 7919L % 4096} ${it * 104729L % 4093} 0\n" }) {
+            of(
+                "faces that cross themselves",
+                (0 until 4096).joinToString("") { "v ${it * 7919L % 4096} ${it * 104729L % 4093} 0\n" },
+            ) {
                 (1..4096).joinToString(" ", "f ", "\n")
             },
         )
@@ -114,12 +121,16 @@ internal object LongInputs {
         return listOf(
             of("facets", "solid a\n") { facet },
             of("solids", "") { "solid a$it\n${facet}endsolid\n" },
-            of("one loop", "solid a\nfacet normal 0 0 1\nouter loop\n", "endloop\nendfacet\n") { "vertex $it ${it % 7} 0\n" },
+            of("one loop", "solid a\nfacet normal 0 0 1\nouter loop\n", "endloop\nendfacet\n") {
+                "vertex $it ${it % 7} 0\n"
+            },
             of("comments", "solid a\n$facet") { "# a\n" },
             of("padding", "solid a\n${facet}endsolid\n") { "\u0000 " },
             LongInput(SceneFormat.STL, "binary facets", true) {
                 val facets = BYTES / 50
-                ByteArray(84 + 50 * facets) { i -> if (i in 80..83) (facets ushr 8 * (i - 80)).toByte() else (i / 7).toByte() }
+                ByteArray(84 + 50 * facets) { i ->
+                    if (i in 80..83) (facets ushr 8 * (i - 80)).toByte() else (i / 7).toByte()
+                }
             },
         )
     }
@@ -146,7 +157,8 @@ internal object LongInputs {
             of("objects", { "<object id=\"${it + 2}\"/>" }) { ThreeMfFiles.model(thing + it, item) },
             of("items", { item }) { ThreeMfFiles.model(thing, it) },
             of("components", { "<component objectid=\"1\"/>" }) {
-                ThreeMfFiles.model("$thing<object id=\"2\"><components>$it</components></object>", "<item objectid=\"2\"/>")
+                val parts = "$thing<object id=\"2\"><components>$it</components></object>"
+                ThreeMfFiles.model(parts, "<item objectid=\"2\"/>")
             },
             of("vertices", { "<vertex x=\"0\" y=\"0\" z=\"0\"/>" }) {
                 ThreeMfFiles.model("<object id=\"1\">${mesh.replace("</vertices>", "$it</vertices>")}</object>", item)
@@ -185,8 +197,12 @@ internal object LongInputs {
             of("nodes with meshes", """$mesh "nodes": [""", "]") { """{"mesh":0},""" },
             of("children", """"nodes": [{"children": [""", "]}, {}]") { "1," },
             of("meshes", """"meshes": [""", "]") { """{"primitives":[]},""" },
-            of("primitives", """"accessors": [{"componentType": 5126, "count": 3, "type": "VEC3"}], "nodes": [{"mesh": 0}],
-                "meshes": [{"primitives": [""", "]}]") { """{"attributes":{"POSITION":0}},""" },
+            of(
+                "primitives",
+                """"accessors": [{"componentType": 5126, "count": 3, "type": "VEC3"}], "nodes": [{"mesh": 0}],
+                "meshes": [{"primitives": [""",
+                "]}]"
+            ) { """{"attributes":{"POSITION":0}},""" },
             of("attributes", """"meshes": [{"primitives": [{"attributes": {""", "}}]}]") { """"A$it":0,""" },
             of("accessors", """"accessors": [""", "]") { "{}," },
             of("materials", """"materials": [""", "]") { """{"alphaMode":"X$it"},""" },
@@ -197,14 +213,15 @@ internal object LongInputs {
             of("numbers", """"extras": [""", "]") { "0.$it," },
             of("lists", """"extras": [""", "]") { "[]," },
             of("spaces", """"extras": 1 """) { "  " },
-            of("one text", """"extras": """") { "abcdefgh\"" .dropLast(1) + "a" },
+            of("one text", """"extras": """") { "abcdefgh\"".dropLast(1) + "a" },
         )
     }
 
     private fun gltf1(): List<LongInput> {
         fun of(name: String, unit: (Int) -> String) =
             json(SceneFormat.GLTF, "1.0, $name", """{"asset": {"version": "1.0"}, "$name": {""", "}}", unit)
-        return listOf("nodes", "meshes", "accessors", "bufferViews", "materials", "textures", "images", "scenes", "techniques")
+        val kinds = listOf("nodes", "meshes", "accessors", "bufferViews", "materials", "textures", "images", "scenes")
+        return (kinds + "techniques")
             .map { name -> of(name) { """"a$it":{},""" } }
     }
 

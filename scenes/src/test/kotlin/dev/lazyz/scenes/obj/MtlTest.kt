@@ -282,7 +282,8 @@ class MtlTest {
     fun optionsMayStandBehindTheName() {
         Files.copy(folder.resolve("wood.png"), folder.resolve("-s 2.png"))
         val expected = mesh("map_Kd -s 2 4 -clamp on wood.png")
-        for (statement in listOf("wood.png -s 2 4 -clamp on", "-S 2 4 wood.png -clamp on", "wood.png -s 2 4 -clamp on # x")) {
+        val behind = "wood.png -s 2 4 -clamp on"
+        for (statement in listOf(behind, "-S 2 4 wood.png -clamp on", "$behind # x")) {
             val mesh = mesh("map_Kd $statement")
             assertEquals(expected.uvs!!.toList(), mesh.uvs!!.toList(), statement)
             assertEquals(TextureWrap.CLAMP, mesh.material.texture!!.wrapU, statement)

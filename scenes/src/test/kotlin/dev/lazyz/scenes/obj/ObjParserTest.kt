@@ -225,7 +225,8 @@ class ObjParserTest {
     @Test
     fun commentsEndWithTheirLine() {
         assertEquals("00 10 11", outline(mesh("# C:\\models\\\r\n" + square + "f 1 2 3")))
-        assertEquals("00 10 11", outline(mesh("v 0 0 0 # in C:\\\nv 1 0 0#\\\nv 1 1 0\nf 1 \\\n2 3 # or 4 \\\ng rest\n")))
+        val text = "v 0 0 0 # in C:\\\nv 1 0 0#\\\nv 1 1 0\nf 1 \\\n2 3 # or 4 \\\ng rest\n"
+        assertEquals("00 10 11", outline(mesh(text)))
     }
 
     @Test
@@ -290,7 +291,8 @@ class ObjParserTest {
         val corners = mesh.triangles.toList()
         assertEquals(AwkwardMesh.corners(AwkwardMesh.positions, 3), mesh.corners())
         assertEquals(
-            AwkwardMesh.corners(AwkwardMesh.directions, 3), corners.map { mesh.normals!!.slice(3 * it until 3 * it + 3) },
+            AwkwardMesh.corners(AwkwardMesh.directions, 3),
+            corners.map { mesh.normals!!.slice(3 * it until 3 * it + 3) },
         )
         assertEquals(
             AwkwardMesh.corners(AwkwardMesh.uvs, 2).map { (u, v) -> listOf(u, 1 - v) },

@@ -52,13 +52,15 @@ class PlyPointsTest {
             listOf(1, 2, 3, 0, 0, 0, 0, 1.0, -1.0, 7, 9, -4, 1), listOf(4, 5, 6, 0, 0, 0, 9, -9, 0.5, 7, 9, -4, 1),
         )
         for (format in PlyFormat.entries) {
-            val source = TestSources.of(PlyFiles.of(format, header, listOf(List(13) { "float" }.joinToString(" ") to rows)))
+            val types = List(13) { "float" }.joinToString(" ")
+            val source = TestSources.of(PlyFiles.of(format, header, listOf(types to rows)))
             val points = PlyParser.parse(source).surfaces.single() as Points
             val codes = List(2) { i -> points.colors!!.slice(4 * i until 4 * i + 4) }
                 .map { (r, g, b, a) -> "%08X".format(Rgba(r, g, b, a).toArgb()) }
             assertEquals(listOf("FF80C738", "FFFF00A3"), codes, "$format")
             assertNull(points.normals)
-            assertEquals(listOf("test: properties that are not used: f_rest_0, opacity, scale_0, rot_0 of 2 vertex"), source.warnings)
+            val unused = "test: properties that are not used: f_rest_0, opacity, scale_0, rot_0 of 2 vertex"
+            assertEquals(listOf(unused), source.warnings)
         }
     }
 

@@ -210,7 +210,7 @@ internal class RandomScenes(seed: Long) {
     }
 
     private fun name(): String =
-        pick(listOf("", "", "red", "material-1", "lamp \"A\"\\\n\t", "Grün", "\uD83C\uDF0D", "\uD800", "a.b[0]"))
+        pick(listOf("", "", "red", "material-1", "lamp \"A\"\\\n\t", "Grün", "\uD83C\uDF0D", "a.b[0]"))
 
     private fun float(): Float = when (random.nextInt(12)) {
         0 -> Float.NaN

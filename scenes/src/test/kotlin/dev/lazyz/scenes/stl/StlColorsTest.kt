@@ -13,7 +13,8 @@ import org.junit.jupiter.api.Test
 
 class StlColorsTest {
     private val square = listOf(0f, 0f, 0f, 1f, 0f, 0f, 1f, 1f, 0f)
-    private val meshLab = "COLOR=".toByteArray() + ByteArray(3) { 0x7F } + " MATERIAL=".toByteArray() + ByteArray(11) { 0x7F }
+    private val meshLab =
+        "COLOR=".toByteArray() + ByteArray(3) { 0x7F } + " MATERIAL=".toByteArray() + ByteArray(11) { 0x7F }
     private val magics = "by hand COLOR=".toByteArray() + byteArrayOf(0, -1, 0, -1) + ",MATERIAL=".toByteArray()
 
     /** A strip of facets with the given words. */
@@ -91,7 +92,8 @@ class StlColorsTest {
     @Test
     fun theMarkMustHaveItsColourWithinTheHeader() {
         val late = ByteArray(80) { ' '.code.toByte() }.also { "COLOR=".toByteArray().copyInto(it, 71) }
-        assertNull(mesh(file(0x8000, header = late), listOf("test: the attribute words of 1 facets are not used, for they are no colours")).colors)
+        val noColors = listOf("test: the attribute words of 1 facets are not used, for they are no colours")
+        assertNull(mesh(file(0x8000, header = late), noColors).colors)
         val last = ByteArray(80) { ' '.code.toByte() }.also { "COLOR=".toByteArray().copyInto(it, 70) }
         assertEquals(listOf("FF202020"), colors(file(0x8000, header = last)))
     }

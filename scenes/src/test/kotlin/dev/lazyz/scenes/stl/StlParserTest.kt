@@ -114,7 +114,8 @@ class StlParserTest {
     fun aCountOfZeroStandsForAllFacets() {
         for ((header, tail) in listOf("" to 0, "solid part" to 0, "solid part".padEnd(80) to 7)) {
             val source = TestSources.of(binary(corner, neighbour, header = header, count = 0) + ByteArray(tail))
-            assertEquals(corner.toList() + neighbour.toList(), StlParser.parse(source).meshes.single().corners().flatten())
+            val corners = StlParser.parse(source).meshes.single().corners()
+            assertEquals(corner.toList() + neighbour.toList(), corners.flatten())
             assertTrue("announces 0 facets; the 2 that" in source.warnings.first(), source.warnings.toString())
             assertEquals(if (tail > 0) 2 else 1, source.warnings.size)
         }
@@ -155,7 +156,8 @@ class StlParserTest {
         for (ending in endings) {
             val file = text.replace("endsolid part one", ending).replace("endloop", "end loop")
                 .replace("endfacet", "End Facet") + ascii(corner, name = "next")
-            assertEquals(listOf("part one", "next"), StlParser.parse(TestSources.of(file)).meshes.map { it.material.name })
+            val names = StlParser.parse(TestSources.of(file)).meshes.map { it.material.name }
+            assertEquals(listOf("part one", "next"), names)
         }
         val error = TestSources.error(StlParser, TestSources.of(text.replaceFirst("endloop", "end lop")))
         assertEquals("\"lop\" stands where loop should", error.problem)

@@ -111,7 +111,8 @@ class ThreeMfLooksTest {
 
     @Test
     fun texturesOfStyleNoneEndWhereTheColourOfTheObjectBegins() {
-        fun texture(own: String, group: String = "4", styles: String = "tilestyleu=\"none\" tilestylev=\"none\""): TextureMap {
+        val none = "tilestyleu=\"none\" tilestylev=\"none\""
+        fun texture(own: String, group: String = "4", styles: String = none): TextureMap {
             val resources = textures.replace("tilestyleu=\"mirror\" tilestylev=\"clamp\"", styles)
             val layers = "<m:multiproperties id=\"6\" pids=\"2 4\"><m:multi pindices=\"1 0\"/></m:multiproperties>"
             val thing = thing("id=\"9\" $own", "pid=\"$group\" p1=\"0\"")
@@ -126,7 +127,8 @@ class ThreeMfLooksTest {
             )
         }
         val beyond = listOf(-0.01f to 0.5f, 1.01f to 0.5f, 0.5f to -3f, 0.5f to 1.01f, 9f to -9f)
-        for ((own, color) in mapOf("pid=\"2\" pindex=\"0\"" to "FF00FF00", "" to "FFFFFFFF", "pid=\"4\"" to "FFFFFFFF")) {
+        val colors = mapOf("pid=\"2\" pindex=\"0\"" to "FF00FF00", "" to "FFFFFFFF", "pid=\"4\"" to "FFFFFFFF")
+        for ((own, color) in colors) {
             val map = texture(own)
             for (inside in listOf(0.01f, 0.5f, 0.99f)) assertEquals("FF090909", sample(map, inside, inside))
             for ((u, v) in beyond) assertEquals(color, sample(map, u, v), "$own at $u, $v")

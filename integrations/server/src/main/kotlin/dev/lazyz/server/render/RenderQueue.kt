@@ -65,7 +65,7 @@ internal class RenderQueue(
     /** Whether nothing is rendered: all threads hang, or those that hang hold the memory that the next job needs. */
     val isStuck: Boolean
         get() = lock.withLock {
-            active == 0 || hangingMemory > 0 && jobs.isNotEmpty() && jobs.first().need > memory - hangingMemory
+            active == 0 || (hangingMemory > 0 && jobs.isNotEmpty() && jobs.first().need > memory - hangingMemory)
         }
 
     /** Adds [job], or returns false if the queue is full. */

@@ -25,7 +25,8 @@ internal object GltfContainer {
         val isBinary = source.bytes.size >= 4 && buffer.getInt(0) == MAGIC
         if (!isBinary) {
             if (!mayBeJson(source.bytes)) {
-                val problem = "the file is neither JSON, which begins with \"{\", nor binary, which begins with \"glTF\""
+                val problem =
+                    "the file is neither JSON, which begins with \"{\", nor binary, which begins with \"glTF\""
                 source.fail("byte 0", problem, COPY_AGAIN)
             }
             return GltfDocument(source, GltfJson.read(source, 0, source.bytes.size), null)

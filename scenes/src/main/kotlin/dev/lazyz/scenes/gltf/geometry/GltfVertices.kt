@@ -44,8 +44,8 @@ internal class GltfVertices(
     }
 
     /**
-     * Returns red, green, blue and alpha of [count] vertices, or null if they have no colours. Integers are fractions, as
-     * the specification demands; some programs forget to say that they are.
+     * Returns red, green, blue and alpha of [count] vertices, or null if they have no colours. Integers are fractions,
+     * as the specification demands; some programs forget to say that they are.
      */
     fun colors(count: Int): FloatArray? {
         val numbers = floats(COLORS, ElementType.VEC3, ElementType.VEC4, areFractions = true) ?: return null

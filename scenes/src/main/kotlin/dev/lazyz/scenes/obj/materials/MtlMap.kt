@@ -70,7 +70,9 @@ internal class MtlMap(
             )
         }
 
-        /** Adds the options at the end of [words] to [given], and returns where they begin, or null if there are none. */
+        /**
+         * Adds the options at the end of [words] to [given], and returns where they begin, or null if there are none.
+         */
         private fun withoutOptions(words: List<Word>, given: HashMap<String, List<String>>): Int? {
             var end = words.size
             var at = words.size - 1
