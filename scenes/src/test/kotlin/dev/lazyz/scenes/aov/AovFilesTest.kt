@@ -127,7 +127,7 @@ class AovFilesTest {
         val found = ObjectMapper().readTree(table.readBytes())["objects"].map { "$it" }
         val expected = listOf(
             "{'id':0,'name':'a\uD83D\uDE97','pixels':1,'columns':[6,7],'rows':[7,8]}",
-            "{'id':1,'name':'\uD800','pixels':3,'columns':[5,8],'rows':[7,9]}",
+            "{'id':1,'name':'\uFFFD','pixels':3,'columns':[5,8],'rows':[7,9]}",
         )
         assertEquals(expected.map { it.replace('\'', '"') }, found)
         assertEquals("[]", "${ObjectMapper().readTree(written("none.json", ids(-1)).readBytes())["objects"]}")
