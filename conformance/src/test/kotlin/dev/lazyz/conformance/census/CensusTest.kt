@@ -149,12 +149,12 @@ class CensusTest {
         val traits = setOf(FrameTrait.MESH, FrameTrait.NORMAL_MAP, FrameTrait.SECOND_UVS, FrameTrait.MIP_FILTER)
         assertEquals(traits, of(whole))
 
-        // Metals reflect a studio if there is no light; they are not lit with constant shading, nor without normals
+        // Metals reflect a studio, beside lights, too; they are not lit with constant shading, nor without normals
         val sphere = Sphere(Vector3d(), 1.0, metal)
         val studio = setOf(FrameTrait.SPHERE, FrameTrait.PHYSICAL, FrameTrait.ENVIRONMENT, FrameTrait.TONE_MAPPING)
         assertEquals(studio, of(sphere))
         val lit = Scene(listOf(sphere), listOf(Light.Ambient(Rgba.WHITE)), camera)
-        assertEquals(studio - FrameTrait.ENVIRONMENT + FrameTrait.LIT, ofScene(lit))
+        assertEquals(studio + FrameTrait.LIT, ofScene(lit))
         assertEquals(setOf(FrameTrait.SPHERE), of(Sphere(Vector3d(), 1.0, metal.withShading(Shading.CONSTANT))))
         assertFalse(FrameTrait.PHYSICAL in of(Points(positions, 1.0, metal)))
         assertTrue(FrameTrait.PHYSICAL in of(Points(positions, 1.0, metal, normals = positions)))
