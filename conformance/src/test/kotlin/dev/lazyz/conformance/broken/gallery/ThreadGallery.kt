@@ -191,10 +191,11 @@ internal object ThreadGallery {
     }
 
     private fun interruptsTwice() = BrokenRenderer("interrupts-twice") { frame, sink ->
-        val patient = RowSink { y, argb, depth, primitive ->
-            if (Thread.currentThread().isInterrupted) throw InterruptedException("interrupted")
-            sink.row(y, argb, depth, primitive)
+        try {
+            ZBuffer().render(frame, sink)
+        } catch (e: InterruptedException) {
+            Thread.currentThread().interrupt()
+            throw e
         }
-        ZBuffer().render(frame, patient)
     }
 }
