@@ -2,7 +2,6 @@ package dev.lazyz.conformance.broken.gallery
 
 import dev.lazyz.Counters
 import dev.lazyz.Fragment
-import dev.lazyz.RowSink
 import dev.lazyz.Spans
 import dev.lazyz.conformance.broken.BrokenFailures
 import dev.lazyz.conformance.broken.BrokenRenderer
@@ -187,7 +186,11 @@ internal object ThreadGallery {
     }
 
     private fun losesTheInterrupt() = BrokenRenderer("loses-the-interrupt") { frame, sink ->
-        ZBuffer().render(frame, sink).also { Thread.interrupted() }
+        Thread.interrupted()
+        ZBuffer().render(frame) { y, argb, depth, primitive ->
+            sink.row(y, argb, depth, primitive)
+            Thread.interrupted()
+        }
     }
 
     private fun interruptsTwice() = BrokenRenderer("interrupts-twice") { frame, sink ->
