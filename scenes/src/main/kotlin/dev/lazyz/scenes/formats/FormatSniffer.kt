@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.formats
 
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.loading.TextEncoding
 import dev.lazyz.scenes.off.OffHeader
 import dev.lazyz.scenes.stl.StlBinary
-import dev.lazyz.scenes.text.TextEncoding
 import dev.lazyz.scenes.text.TextLines
 
 /** Detects a file's format from its first bytes, for files whose name does not determine it. */

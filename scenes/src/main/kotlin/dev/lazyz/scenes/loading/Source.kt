@@ -6,7 +6,6 @@ import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneMemoryException
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.printable
-import dev.lazyz.scenes.text.TextEncoding
 import dev.lazyz.world.Scene
 import java.nio.file.Path
 

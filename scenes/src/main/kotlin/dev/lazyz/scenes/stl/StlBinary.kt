@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.stl
 
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.scenes.text.TextEncoding
+import dev.lazyz.scenes.loading.TextEncoding
 import dev.lazyz.scenes.text.TextLines
 import java.io.InputStream
 import java.nio.ByteBuffer

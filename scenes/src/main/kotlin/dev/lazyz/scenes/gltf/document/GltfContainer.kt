@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.gltf.document
 
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.scenes.text.TextEncoding
+import dev.lazyz.scenes.loading.TextEncoding
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 

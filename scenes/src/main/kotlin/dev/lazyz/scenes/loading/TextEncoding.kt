@@ -1,6 +1,5 @@
-package dev.lazyz.scenes.text
+package dev.lazyz.scenes.loading
 
-import dev.lazyz.scenes.loading.Source
 import java.io.ByteArrayInputStream
 import java.io.ByteArrayOutputStream
 import java.io.InputStreamReader

@@ -1,11 +1,7 @@
-package dev.lazyz.scenes.text
+package dev.lazyz.scenes.loading
 
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.formats.FormatSniffer
-import dev.lazyz.scenes.loading.SceneParser
-import dev.lazyz.scenes.loading.TestSources
-import dev.lazyz.scenes.loading.corners
-import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.scenes.obj.ObjParser
 import dev.lazyz.scenes.ply.PlyParser
 import dev.lazyz.scenes.stl.StlParser
