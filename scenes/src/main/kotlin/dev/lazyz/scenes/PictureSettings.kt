@@ -2,7 +2,9 @@ package dev.lazyz.scenes
 
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
+import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.SampledFrame
+import dev.lazyz.filter.ShadingRate
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightMeter
@@ -110,8 +112,10 @@ public class PictureSettings private constructor(
             sampling.obstacle(scene, raster)?.let { throw NoPictureException(it) }
             return sampling.frame(scene, raster, options)
         }
-        val isPossible = USUAL_SAMPLING.obstacle(scene, raster) == null
-        return (if (isPossible) USUAL_SAMPLING else SuperSampling.NONE).frame(scene, raster, options)
+        // Occlusion makes shading expensive, so that a pixel is shaded once
+        val isExpensive = style == PictureStyle.PRODUCT
+        val usual = if (isExpensive) SuperSampling(USUAL_FACTOR, PixelFilter.BOX, ShadingRate.PIXEL) else USUAL_SAMPLING
+        return (if (usual.obstacle(scene, raster) == null) usual else SuperSampling.NONE).frame(scene, raster, options)
     }
 
     /**

@@ -98,7 +98,9 @@ class ColorOptionsTest {
         val run = zcli("render", both, "--texture", flag, "-o", out)
         assertEquals(ExitCode.DONE, run.code, run.errors)
         assertTrue("1 of 2 surfaces have no texture coordinates, so --texture has no effect on them" in run.errors)
-        val plain = colors(both, "--texture", "$flag", "--background", "black")
+        val front = listOf("--aa", "1", "--shading", "constant", "--view", "front", "--background", "black")
+        zcli("render", both, "--size", "40x30", "--texture", flag, "-o", out, *front.toTypedArray())
+        val plain = out.image.argb().map { "%08x".format(it) }
         assertTrue("ffffffff" in plain, "$plain: the wedge is white, not the colour of a corner of the flag")
         zcli("render", square, "--texture", "no.png", "-o", out).mistake("no.png: there is no such file")
         zcli("render", square, "--texture", square, "-o", out).mistake("is not an image that can be read")
