@@ -152,7 +152,7 @@ class PageCommandsTest {
             "jmh/README.md: jmh/peers/run" to NEEDS,
             "jmh/README.md: jmh/peers/start" to NEEDS,
             "jmh/README.md: jmh/peers/whole-job" to NEEDS,
-            "jmh/README.md: java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.peers.PerformancePage" to WRITES,
+            "jmh/README.md: java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.peers.PeerPage" to WRITES,
         )
     }
 }
