@@ -33,7 +33,7 @@ import dev.lazyz.world.Viewpoint
  *   that of a scene file
  * @property background the colour around the surfaces; by default that of the file
  * @property sampling the samples of a pixel; by default [USUAL_FACTOR] x [USUAL_FACTOR], or one where that is not
- *   possible, see [SuperSampling.obstacle]
+ *   possible, see [SuperSampling.obstacle]; with [PictureStyle.PRODUCT] a pixel is shaded once, else each sample
  * @property style what `zcli render --style` does; null for none. The [viewpoint] and the [background] take precedence
  */
 public class PictureSettings private constructor(
