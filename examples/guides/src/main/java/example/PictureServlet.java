@@ -53,13 +53,22 @@ public class PictureServlet extends HttpServlet {
     /** What drawing may take: many translucent layers take much, although their file is small. */
     private static final long DRAWING_BYTES = 128L << 20;
 
-    private static final int MOST_SECONDS = 5;
-
     /** Thread safe, like all renderers: one is enough for all requests. */
     private final Renderer renderer = new Tiled();
 
     /** The number of threads limits how many models are in memory. */
     private final ExecutorService workers = Executors.newFixedThreadPool(2);
+
+    private final int mostSeconds;
+
+    /** For containers: five seconds a picture. */
+    public PictureServlet() {
+        this(5);
+    }
+
+    PictureServlet(int mostSeconds) {
+        this.mostSeconds = mostSeconds;
+    }
 
     @Override
     protected void doPost(HttpServletRequest request, HttpServletResponse response)
@@ -78,7 +87,7 @@ public class PictureServlet extends HttpServlet {
         Image image;
         Future<Image> task = workers.submit(() -> picture(body, format));
         try {
-            image = task.get(MOST_SECONDS, TimeUnit.SECONDS);
+            image = task.get(mostSeconds, TimeUnit.SECONDS);
         } catch (TimeoutException e) {
             // Interrupts the thread: it goes on with the next request
             task.cancel(true);
