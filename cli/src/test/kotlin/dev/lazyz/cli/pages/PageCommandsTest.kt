@@ -132,7 +132,6 @@ class PageCommandsTest {
             "docs/memory.md: java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.memory.MemoryGrowth" to MEASURES,
             "docs/mutation-analysis.md: mvn" to "takes minutes, and downloads a tool that no build needs",
             "docs/performance.md: java -cp jmh" to MEASURES,
-            "docs/performance.md: java -jar jmh/target/benchmarks.jar dev.lazyz.jmh.kernel" to MEASURES,
             "docs/performance.md: java -jar jmh/target/benchmarks.jar StrategyBenchmark" to MEASURES,
             "docs/performance.md: java -XX:StartFlightRecording" to MEASURES,
             "docs/performance.md: mvn" to NEEDS,
