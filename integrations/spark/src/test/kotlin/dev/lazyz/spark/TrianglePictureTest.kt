@@ -185,6 +185,34 @@ class TrianglePictureTest {
         }
     }
 
+    @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    fun headersOfPlyAreReadAsScenesReadsThem(@TempDir folder: Path) {
+        fun read(name: String, header: (String) -> String): Dataset<Row> {
+            val bytes = ply(ByteOrder.LITTLE_ENDIAN)
+            val old = String(bytes, Charsets.ISO_8859_1).substringBefore(END) + END
+            val body = bytes.copyOfRange(old.length, bytes.size)
+            val file = folder.resolve(name).also { it.writeBytes(header(old).toByteArray() + body) }
+            return TriangleTable.readPly(spark, "$file")
+        }
+
+        // Lines may end as on Windows, and words may be apart by tabs and several spaces
+        val plain = read("plain.ply") { it }.count()
+        assertEquals(plain, read("windows.ply") { it.replace("\n", "\r\n") }.count())
+        assertEquals(plain, read("spaces.ply") { it.replace("property ", "property \t ") }.count())
+
+        // Whatever name Scenes.load has for colours and texture coordinates
+        val names = listOf("diffuse_red diffuse_green diffuse_blue", "r g b", "texture_u texture_v", "nx ny nz")
+        for (columns in names) {
+            val properties = columns.split(' ').joinToString("") { "property float $it\n" }
+            val error = assertThrows(SceneFormatException::class.java) {
+                read("columns.ply") { it.replace("element face", "${properties}element face") }
+            }
+            val first = columns.substringBefore(' ')
+            assertTrue("vertices have '$first'" in error.message!!, error.message)
+        }
+    }
+
     private fun ply(order: ByteOrder, corners: Int = 3): ByteArray {
         val mesh = Scenes.teapot(4).surfaces.filterIsInstance<Mesh>().first()
         val name = if (order == ByteOrder.BIG_ENDIAN) "big" else "little"
@@ -256,5 +284,9 @@ class TrianglePictureTest {
         assertTrue("no vertex 99999" in problem("wild.ply", wild, readPly))
         val missing = assertThrows(SceneFormatException::class.java) { readStl("${folder.resolve("none.stl")}") }
         assertTrue("cannot be read" in missing.message!!)
+    }
+
+    private companion object {
+        const val END = "end_header\n"
     }
 }

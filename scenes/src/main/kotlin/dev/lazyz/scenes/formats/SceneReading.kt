@@ -41,7 +41,7 @@ internal object SceneReading {
     fun read(path: Path, format: SceneFormat?, loading: Loading, root: Path?): LoadedScene {
         val name = path.toString()
         val source = Source(bytes(path, name, format, loading), name, path.toAbsolutePath().parent, loading, root)
-        return parse(source, format ?: sniffed(source))
+        return parse(source, format)
     }
 
     fun read(
@@ -78,8 +78,10 @@ internal object SceneReading {
             ?: source.fail(null, "is not an image that can be read", "save it as PNG or JPEG")
     }
 
-    private fun parse(source: Source, format: SceneFormat): LoadedScene {
-        if (source.bytes.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
+    /** Parses [source] in the given format, or in the format detected from its content if [given] is null. */
+    private fun parse(source: Source, given: SceneFormat?): LoadedScene {
+        requireContent(source)
+        val format = given ?: sniffed(source)
         val parser = when (format) {
             SceneFormat.OBJ -> ObjParser
             SceneFormat.STL -> StlParser
@@ -124,6 +126,11 @@ internal object SceneReading {
         if (!Files.isRegularFile(path)) {
             throw SceneReadException(name, "is a pipe or a device, not a file", "send its bytes as a stream")
         }
+    }
+
+    /** Fails if [source] has no bytes. Parsers need not look. */
+    fun requireContent(source: Source) {
+        if (source.bytes.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
     }
 
     /** Returns the exception for a file that cannot be read. An interrupt closes channels. */
@@ -191,7 +198,6 @@ internal object SceneReading {
     }
 
     private fun sniffed(source: Source): SceneFormat {
-        if (source.bytes.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
         val known = SceneFormat.entries.flatMap { it.extensions }.joinToString { ".$it" }
         val format =
             FormatSniffer.format(source.bytes) ?: source.fail(null, "is of no known format", "known are $known")

@@ -42,7 +42,7 @@ internal object StreamReading {
         try {
             val head = input.head()
             val source = Source(head, name, null, loading)
-            if (head.isEmpty()) source.fail(null, "is empty", "check that it was written completely")
+            SceneReading.requireContent(source)
             val known = format ?: FormatSniffer.format(head, input.file.size)
             val triangles = when (known) {
                 SceneFormat.STL -> StlStreaming.open(source, input)

@@ -28,7 +28,6 @@ import dev.lazyz.world.Scene
  */
 internal object GltfParser : SceneParser {
     override fun parse(source: Source): Scene {
-        if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
         val document = GltfContainer.open(source)
         GltfExtensions.check(document)
         val accessors = GltfAccessors(document)

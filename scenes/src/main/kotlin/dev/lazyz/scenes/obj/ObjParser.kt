@@ -23,7 +23,6 @@ internal object ObjParser : SceneParser {
     const val CREASE_ANGLE = 45.0
 
     override fun parse(source: Source): Scene {
-        if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
         source.decodeText()
         val model = model(source)
         if (model.positions.size == 0) {

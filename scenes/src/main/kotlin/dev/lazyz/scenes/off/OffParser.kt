@@ -27,7 +27,6 @@ internal object OffParser : SceneParser {
     const val CREASE_ANGLE = 45.0
 
     override fun parse(source: Source): Scene {
-        if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
         source.decodeText()
         val reader = FarOrigin.reading(
             source.loading,

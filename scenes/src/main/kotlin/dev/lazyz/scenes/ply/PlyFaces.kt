@@ -161,7 +161,8 @@ internal class PlyFaces(
     private fun vertex(number: Int, body: PlyBody): Int =
         if (number in 0 until vertexCount) number else vertex(number.toDouble(), body)
 
-    private fun indexColumn(element: PlyElement): Int =
+    /** Returns the number of the list of vertex numbers. Fails if [element] has none. */
+    fun indexColumn(element: PlyElement): Int =
         element.column(listOf("vertex_indices", "vertex_index"), isList = true) ?: source.fail(
             "header",
             "element ${element.name} has no list vertex_indices",

@@ -28,7 +28,6 @@ internal object PlyParser : SceneParser {
     const val CREASE_ANGLE = 45.0
 
     override fun parse(source: Source): Scene {
-        if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
         source.decodeText()
         val header = PlyHeaderReader(source).read()
         val tables = FarOrigin.reading(

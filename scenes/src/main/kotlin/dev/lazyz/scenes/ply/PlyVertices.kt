@@ -16,7 +16,8 @@ internal class PlyVertices(
     private val origin: Vector3dc,
     isBare: Boolean = false,
 ) {
-    private val position = listOf("x", "y", "z").map { name ->
+    /** The numbers of the columns x, y and z. */
+    val position: IntArray = listOf("x", "y", "z").map { name ->
         element.column(listOf(name)) ?: source.fail("header", "element vertex has no property $name", "add it")
     }.toIntArray()
     private val normal = if (isBare) null else columns(listOf("nx", "ny", "nz"))

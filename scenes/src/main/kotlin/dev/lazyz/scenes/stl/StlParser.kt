@@ -20,7 +20,6 @@ internal object StlParser : SceneParser {
     const val CREASE_ANGLE = 30.0
 
     override fun parse(source: Source): Scene {
-        if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
         val meshes = meshes(source)
         if (meshes.isEmpty()) source.warn("there are no facets, so there is nothing to see")
         return Scene(meshes.map { source.loading.smoothed(source, it, CREASE_ANGLE) })

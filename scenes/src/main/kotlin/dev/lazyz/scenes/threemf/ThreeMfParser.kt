@@ -23,7 +23,6 @@ internal object ThreeMfParser : SceneParser {
     const val CREASE_ANGLE = 30.0
 
     override fun parse(source: Source): Scene {
-        if (source.bytes.isEmpty()) source.fail(null, "the file is empty", "export the model again")
         val build = ThreeMfBuild(source)
         val meshes = build.meshes()
         if (meshes.isEmpty()) source.warn("${build.reasonForNothing}, so there is nothing to see")

@@ -21,7 +21,6 @@ class ObjErrorsTest {
 
     @Test
     fun errorsNameTheirLine() {
-        assertFails("", null, "empty")
         assertFails("# nothing\n", null, "no vertex")
         assertFails(triangle + "f 1 2 4\n", "line 4", "number 4 of 3 vertices")
         assertFails(triangle + "\n\nf 1 2 \\\n 4\n", "line 6", "number 4 of 3 vertices")

@@ -161,7 +161,6 @@ class OffParserTest {
             assertEquals(location, error.location, error.message)
             assertTrue(part in error.message!!, error.message)
         }
-        assertFails("", null, "empty")
         assertFails("# nothing", null, "no words")
         assertFails("4OFF\n1 1 1\n", "line 1", "three dimensions")
         assertFails("STCN4nOFF\n5\n1 1 1\n", "line 1", "three dimensions")

@@ -33,7 +33,6 @@ class PlyErrorsTest {
 
     @Test
     fun headerErrorsNameTheirLine() {
-        assertFails("", null, "empty")
         assertFails("plyx\n", "line 1", "begins with")
         assertFails("ply\nformat ascii 1.0\n", "line 2", "before end_header")
         assertFails(ascii(header.replace("1.0", "2.0")), "line 2", "\"2.0\"")

@@ -1,10 +1,12 @@
 package dev.lazyz.spark.triangles.files
 
+import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneReadException
 import java.io.IOException
 import java.io.Serializable
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
+import org.apache.hadoop.fs.FSDataInputStream
 import org.apache.hadoop.fs.Path
 import org.apache.spark.api.java.JavaSparkContext
 import org.apache.spark.api.java.function.FlatMapFunction
@@ -22,6 +24,8 @@ import org.apache.spark.util.SerializableConfiguration
 internal class SharedFile(val path: String, private val hadoop: SerializableConfiguration) : Serializable {
     private fun <T> reading(work: () -> T): T = try {
         work()
+    } catch (e: SceneFormatException) {
+        throw e
     } catch (e: IOException) {
         throw SceneReadException(path, "cannot be read: ${e.message ?: e}", "check the path", e)
     }
@@ -30,12 +34,15 @@ internal class SharedFile(val path: String, private val hadoop: SerializableConf
     fun size(): Long = reading { place().getFileSystem(hadoop.value()).getFileStatus(place()).len }
 
     /** Returns [count] bytes from [position] on, or up to the end of the file. */
-    fun read(position: Long, count: Int, order: ByteOrder): ByteBuffer = reading {
-        place().getFileSystem(hadoop.value()).open(place()).use { input ->
-            input.seek(position)
-            val bytes = ByteArray(count)
-            ByteBuffer.wrap(bytes, 0, input.readNBytes(bytes, 0, count)).order(order)
-        }
+    fun read(position: Long, count: Int, order: ByteOrder): ByteBuffer = open { input ->
+        input.seek(position)
+        val bytes = ByteArray(count)
+        ByteBuffer.wrap(bytes, 0, input.readNBytes(bytes, 0, count)).order(order)
+    }
+
+    /** Passes the file to [read], at its beginning. */
+    fun <T> open(read: (FSDataInputStream) -> T): T = reading {
+        place().getFileSystem(hadoop.value()).open(place()).use(read)
     }
 
     private fun place() = Path(path)
