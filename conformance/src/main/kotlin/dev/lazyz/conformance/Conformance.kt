@@ -209,3 +209,17 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
         public fun ownFrames(folder: Path): Int = OwnFrames.files(folder).size
     }
 }
+
+/**
+ * Thrown if the renderer hangs when it is created or queried, before any rule is run. The message contains stack
+ * traces.
+ *
+ * @property isInconclusive whether the machine may only have been too busy
+ */
+public class NotMadeException internal constructor(message: String, public val isInconclusive: Boolean) :
+    RuntimeException(message)
+
+/** The suite for the renderer of the run in progress. Instantiated by jqwik. */
+internal class SubjectOfRun : RendererConformance() {
+    override fun renderer(): Renderer = checkNotNull(RunUnderWay.current) { "no run is in progress" }.make.get()
+}

@@ -6,10 +6,15 @@ import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.asOpaque
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.results.counted
 import dev.lazyz.conformance.run.smallest
 import java.io.IOException
+import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.StandardOpenOption.APPEND
+import java.nio.file.StandardOpenOption.CREATE
 import java.time.Duration
+import java.util.Locale
 import java.util.Random
 import net.jqwik.api.sessions.JqwikSession
 
@@ -145,4 +150,77 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
         /** Greatest number of smaller frames to render when shrinking a frame. */
         private const val MOST_STEPS = 300
     }
+}
+
+/**
+ * A folder with the results of fuzzing: `recipes.txt` has a line for each frame with a new pair of traits, and the
+ * subfolder `differences` has the frames that two renderers rendered differently.
+ *
+ * @param folder created when something is written; if null, nothing is saved
+ */
+internal class Corpus(private val folder: Path?) {
+    private val file = folder?.resolve("recipes.txt")
+
+    /** Reads the recipes. Lines of other versions are ignored. */
+    fun read(): List<Recipe> =
+        if (file == null || !Files.exists(file)) emptyList() else Files.readAllLines(file).mapNotNull(Recipe::parse)
+
+    /** Adds [recipe]. */
+    fun add(recipe: Recipe) {
+        if (file == null) return
+        Files.createDirectories(file.parent)
+        Files.writeString(file, "$recipe\n", CREATE, APPEND)
+    }
+
+    /**
+     * Saves a frame that is rendered differently, with the [message], and as a scene file if that format can express
+     * it.
+     */
+    fun addDifference(recipe: Recipe, case: FrameCase, message: String) {
+        val differences = folder?.resolve("differences") ?: return
+        Files.createDirectories(differences)
+        val name = "%08x".format(recipe.hashCode())
+        Files.writeString(differences.resolve("$name.txt"), "$recipe\n\n$message\n")
+        case.sceneFile()?.let { Files.writeString(differences.resolve("$name.json"), it) }
+    }
+}
+
+/**
+ * The result of comparing two renderers on many frames. Immutable and thread safe.
+ *
+ * @property expected id of the renderer that is assumed to be correct
+ * @property actual id of the other renderer
+ * @property frames number of frames that both rendered
+ * @property remembered number of frames from the corpus among them
+ * @property pairs number of pairs of traits that occurred
+ * @property differences for each frame that differs: the first sample, both values, the frame as code, its recipe
+ * @property milliseconds duration
+ */
+public class DifferentialReport internal constructor(
+    public val expected: String,
+    public val actual: String,
+    public val frames: Long,
+    public val remembered: Long,
+    public val pairs: Int,
+    public val differences: List<String>,
+    public val milliseconds: Long,
+) {
+    /** Whether all pictures are equal. */
+    public val isEqual: Boolean get() = differences.isEmpty()
+
+    /** Returns a summary for people. */
+    public fun toText(): String = buildString {
+        for (difference in differences) append(difference).append("\n\n")
+        val verdict = when (differences.size) {
+            0 -> "no picture differs"
+            1 -> "1 picture differs"
+            else -> "${differences.size} pictures differ"
+        }
+        append("$actual against $expected: ${counted(frames, "frame")}, $remembered of them from the corpus, ")
+        append("${counted(pairs.toLong(), "pair")} of traits; $verdict; ")
+        append("%.1f s\n".format(Locale.ROOT, milliseconds / 1000.0))
+    }
+
+    override fun toString(): String = "DifferentialReport($actual against $expected, $frames frames, " +
+        "${differences.size} differences)"
 }

@@ -1,10 +1,23 @@
 package dev.lazyz.conformance.probes
 
+import dev.lazyz.Capability
 import dev.lazyz.Counters
+import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
+import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.Selector
+import dev.lazyz.ShadingCursor
+import dev.lazyz.SpanCursor
+import dev.lazyz.Spans
+import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.changed.withinAny
+import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.judgement.Recorder
+import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
 
 /** A sink that checks which thread calls it. Must be created by the expected thread. */
@@ -78,3 +91,66 @@ internal class RenderingSink(frame: Frame, private val render: () -> Unit) : Row
         const val RENDERINGS = 3
     }
 }
+
+/** Records the lowest row for which the primitives of [frame] were queried for spans, depths or colours. */
+internal class RowWitness(frame: Frame) {
+    private val deepest = AtomicInteger(-1)
+
+    /** The frame with the observed primitives. */
+    val frame: Frame = Frame(frame.raster, frame.primitives.map { Watched(it) }, frame.region)
+
+    /** The lowest row that was queried, or -1. */
+    val last: Int get() = deepest.get()
+
+    private fun note(y: Int) {
+        deepest.accumulateAndGet(y, ::maxOf)
+    }
+
+    private inner class Watched(private val primitive: Primitive) : Primitive by primitive {
+        override fun spans(y: Int, spans: Spans) {
+            note(y)
+            primitive.spans(y, spans)
+        }
+
+        override fun cursor(y: Int): SpanCursor {
+            note(y)
+            val cursor = primitive.cursor(y)
+            var row = y
+            return SpanCursor {
+                note(row++)
+                cursor.next(it)
+            }
+        }
+
+        override fun depth(x: Int, y: Int): Int {
+            note(y)
+            return primitive.depth(x, y)
+        }
+
+        override fun shade(fragment: Fragment) {
+            note(fragment.y)
+            primitive.shade(fragment)
+        }
+
+        override fun shadingCursor(x: Int, y: Int): ShadingCursor? {
+            note(y)
+            return primitive.shadingCursor(x, y)
+        }
+    }
+}
+
+// A promise holds however a frame is rendered: with translucent primitives, in part, and with a selector.
+
+/** Returns the frame; in one of two cases partly translucent, if [renderer] blends; and in one of two cases in part. */
+internal fun FrameCase.variedFor(renderer: Renderer, random: Random): FrameCase {
+    val choice = random.nextInt()
+    val isBlending = Capability.TRANSPARENCY in renderer.capabilities
+    val case = if (isBlending && random.nextBoolean()) glazed(choice) else this
+    return if (random.nextBoolean()) case.withinAny(random) else case
+}
+
+/** Returns this renderer; in one of three cases with a selector, if it supports them. */
+internal fun Renderer.varied(random: Random): Renderer =
+    if (random.nextInt(3) == 0) configured(SELECTING.supportedBy(this)) else this
+
+private val SELECTING = RenderOptions(selector = Selector.blend())

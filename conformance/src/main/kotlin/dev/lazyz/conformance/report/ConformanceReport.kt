@@ -9,10 +9,12 @@ import dev.lazyz.conformance.results.RuleResult
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.Waiver
 import dev.lazyz.conformance.rules.ConformanceVersions
+import dev.lazyz.scenes.html.Html.escaped
 import dev.lazyz.strategies.Renderers
 import java.io.File
 import java.io.IOException
 import java.nio.file.Path
+import java.util.Locale
 
 /**
  * The result of a run of the suite: evidence that a renderer conforms, or the reasons why it does not.
@@ -162,4 +164,92 @@ public class StrategyInfo private constructor(
                 ?.let { File(it.toURI()).path }
         }
     }
+}
+
+/** A report as the XML that build servers read: a test suite with a test case for each rule. */
+internal class ReportJUnit(private val report: ConformanceReport) {
+    fun text(): String = buildString {
+        val failures = report.results.count { it.outcome.isFailure }
+        val errors = report.withOutcome(RuleOutcome.INCONCLUSIVE).size
+        val skipped = report.results.count { isSkipped(it) }
+        appendLine("""<?xml version="1.0" encoding="UTF-8"?>""")
+        appendLine(
+            """<testsuite name="${suite()}" tests="${report.results.size}" failures="$failures" errors="$errors" """ +
+                """skipped="$skipped" time="${seconds(report.milliseconds)}">""",
+        )
+        properties()
+        for (result in report.results) case(result)
+        appendLine("</testsuite>")
+    }
+
+    private fun suite() = escaped("dev.lazyz.conformance.${report.strategy.id}")
+
+    private fun StringBuilder.properties() {
+        val causes = report.diagnosis.causes.withIndex().associate { (i, it) -> "likely.cause.${i + 1}" to "$it" }
+        val properties = mapOf("verdict" to ReportText(report).verdict()) + causes + mapOf(
+            "suite.version" to report.suiteVersion,
+            "contract.version" to ConformanceVersions.CONTRACT,
+            "strategy.class" to report.strategy.className,
+            "strategy.version" to report.strategy.version,
+            "capabilities" to report.strategy.capabilities.joinToString(",") { it.name },
+            "java" to report.jvm,
+            "os" to report.os,
+            "seed" to "${report.seed}",
+            "tries" to ConformanceReport.plain(report.tries),
+        )
+        appendLine("  <properties>")
+        for ((name, value) in properties) appendLine("""    <property name="$name" value="${escaped(value)}"/>""")
+        appendLine("  </properties>")
+    }
+
+    private fun StringBuilder.case(result: RuleResult) {
+        append("""  <testcase classname="${suite()}" name="${escaped(result.rule.name)}" """)
+        append("""time="${seconds(result.milliseconds)}"""")
+        when {
+            result.outcome.isFailure || result.outcome == RuleOutcome.INCONCLUSIVE -> {
+                val element = if (result.outcome.isFailure) "failure" else "error"
+                appendLine(">")
+                append("""    <$element type="${result.outcome.words}" """)
+                append("""message="${escaped(result.message.lineSequence().first())}">""")
+                appendLine("${escaped(details(result))}</$element>")
+                appendLine("  </testcase>")
+            }
+
+            isSkipped(result) -> {
+                appendLine(">")
+                appendLine("""    <skipped message="${escaped(skipped(result))}"/>""")
+                appendLine("  </testcase>")
+            }
+
+            else -> appendLine("/>")
+        }
+    }
+
+    private fun skipped(result: RuleResult): String =
+        if (result.outcome == RuleOutcome.NOT_FOLLOWED) "not followed: ${details(result)}" else result.message
+
+    private fun details(result: RuleResult): String = listOfNotNull(
+        result.message,
+        result.failure?.message?.takeIf { it != result.message },
+        result.rule.intent.takeIf { it.isNotEmpty() }?.let { "why: $it" },
+        result.look.takeIf { it.isNotEmpty() }?.let { "look at: $it" },
+        "reproduce: ${report.commandFor(result.rule)}",
+    ).joinToString("\n")
+
+    /** Neither passed nor failed, for a known reason. */
+    private fun isSkipped(result: RuleResult): Boolean = !result.outcome.isFailure &&
+        result.outcome != RuleOutcome.PASSED && result.outcome != RuleOutcome.INCONCLUSIVE
+
+    private fun seconds(milliseconds: Long): String = "%.3f".format(Locale.ROOT, milliseconds / 1000.0)
+}
+
+/** Words of commands that a message or a report contains. Thread safe. */
+public object ShellWords {
+    /** What means something to a shell. */
+    private const val SPECIAL = " \t\n\"'\\$&|;<>()*?[]{}!~#`"
+
+    /** Returns [word] as it is typed in a POSIX shell: in quotes if it is empty or contains special characters. */
+    @JvmStatic
+    public fun quoted(word: String): String =
+        if (word.isEmpty() || word.any { it in SPECIAL }) "'${word.replace("'", "'\\''")}'" else word
 }

@@ -1,5 +1,8 @@
 package dev.lazyz.conformance.rules
 
+import dev.lazyz.Renderer
+import dev.lazyz.conformance.cases.FrameCase
+
 /** How binding a rule is, as in RFC 2119. */
 public enum class Level {
     /** A renderer that breaks the rule does not conform: pictures, memory or declared capabilities are wrong. */
@@ -29,3 +32,53 @@ public annotation class Rule(
     val about: Array<Symptom> = [],
     val isSpecial: Boolean = false,
 )
+
+/**
+ * All rules of the suite, grouped into parts. Extend `RendererConformance` to run them, not this class.
+ *
+ * To add a part, add its name to this list. Parts do not depend on each other.
+ */
+public abstract class AllRules internal constructor() :
+    PictureRules,
+    PointRules,
+    ShadingRules,
+    SizeRules,
+    CombinationRules,
+    ChangeRules,
+    UseRules,
+    ThreadRules,
+    WorkerRules,
+    CounterRules,
+    PromiseRules,
+    SelectionRules,
+    StreamingRules,
+    TidyRules
+
+/** The suite's default seed. Each rule's own seed is computed from this seed and the rule's name. */
+internal const val FIXED: String = "1995"
+
+/** A part of the suite's rules for one renderer. [AllRules] combines all parts. */
+public sealed interface RulesForOne {
+    /**
+     * Returns the renderer to test: either a new instance or always the same one. Called once for each try of each
+     * rule.
+     */
+    public fun renderer(): Renderer
+
+    /** Returns the user's own frames, in addition to those of the suite. */
+    public fun frames(): List<FrameCase>
+}
+
+/**
+ * Versions of the contract and the suite.
+ *
+ * A renderer conforms to a version of the suite; later versions may have more rules. `docs/conformance-versions.md`
+ * lists the rules of each version.
+ */
+public object ConformanceVersions {
+    /** Version of `docs/contract.md`. It changes when a rule is changed or added. */
+    public const val CONTRACT: String = "0.1"
+
+    /** Version of the suite. It changes when the test of a rule is added, renamed or removed. */
+    public const val SUITE: String = "0.2"
+}

@@ -1,12 +1,17 @@
 package dev.lazyz.conformance.run
 
 import dev.lazyz.conformance.judgement.Inconclusive
+import dev.lazyz.conformance.report.ReportFiles
+import dev.lazyz.conformance.report.StrategyInfo
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.RuleResult
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.rules.AllRules
+import java.io.IOException
 import java.lang.reflect.AnnotatedElement
 import java.lang.reflect.Method
+import java.nio.file.Files
+import java.nio.file.Path
 import java.time.LocalDate
 import java.util.Optional
 import net.jqwik.api.Reporter
@@ -156,4 +161,60 @@ private object Silence : Reporter {
     override fun publishReport(key: String, value: Any) = Unit
 
     override fun publishReports(key: String, values: Map<String, Any>) = Unit
+}
+
+/** Saves the frames of failures when the suite runs as a test of a build, where there is no report. */
+internal object KeptFailure {
+    /**
+     * Writes the files of a [failed] rule, and returns a text with their location and the command that reproduces the
+     * failure.
+     */
+    fun of(test: AllRules, settings: Settings, failed: RuleResult): String {
+        val failure = checkNotNull(failed.failure)
+        val judged = StrategyInfo(test.renderer())
+        val report = settings.report(judged, null, listOf(failed), failed.milliseconds, isOnDisk = false)
+        val folder = folder().resolve(test.javaClass.simpleName)
+        val kept = try {
+            Files.createDirectories(folder)
+            val files = ReportFiles(report, folder).write(failure, folder, failed.rule)
+            if (files.isEmpty()) "" else "saved in $folder: ${files.joinToString()}\n"
+        } catch (e: IOException) {
+            "not saved: $e\n"
+        }
+        return "${kept}seed ${report.seed}; again: ${report.commandFor(failed.rule)}"
+    }
+
+    /** The folder that the system property names, or a folder in the build directory. */
+    private fun folder(): Path {
+        System.getProperty(SuiteProperties.OUTPUT)?.let { return Path.of(it) }
+        val build = listOf("target", "build").map { Path.of(it) }.firstOrNull { Files.isDirectory(it) }
+        return (build ?: Path.of(System.getProperty("java.io.tmpdir"))).resolve("lazyz-conformance")
+    }
+}
+
+/**
+ * If the process ends during a try, prints the rule and the frame to standard error. Also prints a message if the
+ * process ends while the renderer is created.
+ */
+internal object LastWords {
+    init {
+        Runtime.getRuntime().addShutdownHook(Thread({ tell() }, "lazyz-last-words"))
+    }
+
+    /** Starts watching for the end of the process. */
+    fun keep(): Unit = Unit
+
+    /** Whether the renderer is being created, before any rule runs. */
+    @Volatile
+    var isMaking: Boolean = false
+
+    private fun tell() {
+        val trial = Trial.current
+        if (trial == null) {
+            if (isMaking) System.err.println("The process ends while the renderer is created, before the first rule")
+            return
+        }
+        val where = trial.underTrial?.let { ", with\n$it" }.orEmpty()
+        System.err.println("The process ends while ${trial.rule} is running$where")
+    }
 }

@@ -109,3 +109,28 @@ internal class Tally {
         private const val MOST_TIME_OUTS = 3
     }
 }
+
+/** Ends this process when the supervising process ends, for example because it was killed: the report would be lost. */
+internal object Supervisor {
+    /** Environment variable that contains the process id of the supervising process, set by `Supervision`. */
+    const val VARIABLE: String = "LAZYZ_SUPERVISOR"
+
+    init {
+        System.getenv(VARIABLE)?.toLongOrNull()?.let { id ->
+            val end = Runnable { Runtime.getRuntime().halt(1) }
+            ProcessHandle.of(id).ifPresentOrElse({ it.onExit().thenRun(end) }, end)
+        }
+    }
+
+    /** Starts watching the supervising process, if there is one. */
+    fun follow(): Unit = Unit
+}
+
+/** Names of the system properties of the suite, documented in `RendererConformance` and `Waivers`. */
+internal object SuiteProperties {
+    const val TRIES: String = "lazyz.conformance.tries"
+    const val SEED: String = "lazyz.conformance.seed"
+    const val DEADLINE: String = "lazyz.conformance.deadline"
+    const val FRAMES: String = "lazyz.conformance.frames"
+    const val OUTPUT: String = "lazyz.conformance.output"
+}

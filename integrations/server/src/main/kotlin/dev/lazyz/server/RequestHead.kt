@@ -10,6 +10,8 @@ import io.netty.handler.codec.http.HttpUtil
 import io.netty.handler.codec.http.HttpVersion
 import io.netty.handler.codec.http.TooLongHttpHeaderException
 import io.netty.handler.codec.http.TooLongHttpLineException
+import java.time.Instant
+import java.time.temporal.ChronoUnit
 
 /** The first line and the headers of a request, as RFC 9110 and RFC 9112 define them. */
 internal object RequestHead {
@@ -97,5 +99,27 @@ internal object RequestHead {
         val expectation = request.headers().get(HttpHeaderNames.EXPECT)
         if (expectation == null || HttpHeaderValues.CONTINUE.contentEqualsIgnoreCase(expectation)) return null
         return Problem(Problem.EXPECTATION_FAILED, "the expectation '$expectation' is not supported")
+    }
+}
+
+/** What the log says about a request, and when it began. */
+internal class RequestLine(private val method: String, private val target: String) {
+    private val time = Instant.now().truncatedTo(ChronoUnit.MILLIS)
+    private val start = System.nanoTime()
+
+    /** The time since the request began. */
+    val seconds: Double get() = (System.nanoTime() - start) / 1e9
+
+    /** Returns the line of the log. */
+    fun entry(client: String, status: Int, size: Int, detail: String): String {
+        val words = listOf(
+            "$time", client, method, target.take(LONGEST), "$status", "${size}B", "${(seconds * 1000).toLong()}ms",
+            detail.take(LONGEST),
+        )
+        return words.filter { it.isNotEmpty() }.joinToString(" ")
+    }
+
+    private companion object {
+        const val LONGEST = 300
     }
 }

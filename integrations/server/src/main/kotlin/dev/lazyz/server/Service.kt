@@ -1,7 +1,6 @@
 package dev.lazyz.server
 
 import dev.lazyz.scenes.LoadLimits
-import dev.lazyz.server.metrics.Metrics
 import dev.lazyz.server.render.MemoryBudget
 import dev.lazyz.server.render.PictureMaker
 import dev.lazyz.server.render.Problem

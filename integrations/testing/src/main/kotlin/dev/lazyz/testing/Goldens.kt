@@ -8,6 +8,9 @@ import java.io.IOException
 import java.io.UncheckedIOException
 import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import kotlin.io.path.invariantSeparatorsPathString
+import kotlin.streams.asSequence
 import org.opentest4j.AssertionFailedError
 import org.opentest4j.FileInfo
 
@@ -97,4 +100,75 @@ internal class Goldens(private val settings: GoldenSettings) {
         /** Returns the golden files of the project whose tests run in this process. */
         fun current(): Goldens = Goldens(GoldenSettings.current())
     }
+}
+
+/** Messages that a GitHub workflow shows beside a file: "Workflow commands" in the documentation of GitHub Actions. */
+internal object Annotation {
+    /**
+     * Returns the line that shows [message] as an error of [file].
+     *
+     * @param workspace the root of the repository; paths below it are relative
+     */
+    fun of(workspace: Path, file: Path, message: String): String {
+        val path = if (file.startsWith(workspace)) workspace.relativize(file) else file
+        return "::error file=${property(path.invariantSeparatorsPathString)},title=Golden picture::${data(message)}"
+    }
+
+    private fun data(text: String): String = text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+    private fun property(text: String): String = data(text).replace(":", "%3A").replace(",", "%2C")
+}
+
+/** Finds the class of the test that runs on this thread. */
+internal object CallingTest {
+    private val libraries = listOf("java.", "jdk.", "kotlin.", "kotlinx.")
+    private val frameworks = listOf("org.junit.", "net.jqwik.engine.", "org.testng.", "io.kotest.")
+
+    /**
+     * Returns the full name of the class: the outermost on the stack that a test framework has called, so that it is
+     * the test's and not that of a helper, without the names of nested classes. Returns `unknown` if there is none.
+     */
+    fun name(): String = name(StackWalker.getInstance().walk { it.asSequence().map { it.className }.toList() })
+
+    /** As above, for the names of the classes on a stack, innermost first. */
+    fun name(stack: List<String>): String {
+        val callers = stack.takeWhile { name -> frameworks.none { name.startsWith(it) } }
+        val called = callers.lastOrNull { name -> libraries.none { name.startsWith(it) } }
+        return called?.substringBefore('$') ?: "unknown"
+    }
+}
+
+/** Writes files so that nobody reads half of one. */
+internal object WholeFile {
+    /**
+     * Writes [bytes] to [file], in place of what was there, and creates its folders.
+     *
+     * @throws UncheckedIOException if that is not possible
+     */
+    fun write(file: Path, bytes: ByteArray) {
+        try {
+            Files.createDirectories(file.parent)
+            val temporary = Files.createTempFile(file.parent, ".${file.fileName}", ".tmp")
+            try {
+                // A temporary file is only for its owner; this one is for all, as usual
+                Files.delete(temporary)
+                Files.write(temporary, bytes)
+                Files.move(temporary, file, REPLACE_EXISTING)
+            } finally {
+                Files.deleteIfExists(temporary)
+            }
+        } catch (failure: IOException) {
+            throw UncheckedIOException("cannot write $file: ${failure.message}", failure)
+        }
+    }
+}
+
+/**
+ * The picture that a test has made.
+ *
+ * @param encode returns the bytes of a PNG file with the same pixels
+ */
+internal class ActualPicture(val picture: Picture, encode: () -> ByteArray) {
+    /** The picture as a PNG file. Encoded only if a file is written. */
+    val png: ByteArray by lazy(encode)
 }

@@ -1,7 +1,9 @@
 package dev.lazyz.conformance.cases.changed
 
+import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
+import dev.lazyz.ShadingCursor
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Glass
 import dev.lazyz.conformance.cases.NothingThere
@@ -49,4 +51,38 @@ private fun besides(frame: Frame): Primitive? {
         region.rowEnd < raster.height -> Stripe(columns, region.rowEnd..<raster.height, 0)
         else -> null
     }
+}
+
+/** What [whole] covers, black and with alpha 0, so that its packed colour is 0; it says that it holds a megabyte. */
+private class HeavyAndDark(whole: Primitive) : Primitive by whole {
+    override val heldBytes: Long get() = 1L shl 20
+
+    override fun shade(fragment: Fragment): Unit = fragment.setColor(0f, 0f, 0f, 0f)
+
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
+}
+
+/** Returns the frame with every second primitive as [HeavyAndDark]. */
+internal fun FrameCase.halfHeavyAndDark(): FrameCase {
+    val primitives = frame.primitives.mapIndexed { index, it -> if (index % 2 == 1) HeavyAndDark(it) else it }
+    return FrameCase(
+        Frame(frame.raster, primitives, frame.region),
+        "$code\n    .let { SuiteFrames.halfHeavyAndDark(it) }",
+    )
+}
+
+/** A primitive that is equal to all others of this class, although it looks like [whole]. */
+private class Alike(whole: Primitive) : Primitive by whole {
+    override fun equals(other: Any?): Boolean = other is Alike
+
+    override fun hashCode(): Int = 0
+}
+
+/** Returns the frame with primitives that are all equal, each of them two times. */
+internal fun FrameCase.alike(): FrameCase {
+    val alike = frame.primitives.map { Alike(it) }
+    return FrameCase(
+        Frame(frame.raster, alike + alike, frame.region),
+        "$code\n    .let { SuiteFrames.alike(it) }",
+    )
 }

@@ -7,13 +7,19 @@ import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.conformance.cases.code
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
+import dev.lazyz.conformance.cases.oneOf
+import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Surface
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 import net.jqwik.api.RandomDistribution
+import org.joml.Vector3d
 
 /**
  * Generates frames of 3D scenes: shapes within a few units of the origin, lights, a camera among or in front of them,
@@ -140,4 +146,87 @@ internal object WorldFrames {
                     .withBackgroundDepth(Rasters.behindAll(raster.depthTest))
             }
         }
+}
+
+/** Generates clouds of points, and lines between points. Sizes are from less than a pixel to more than a tile. */
+internal class WorldPoints(private val materials: Arbitrary<Coded<Material>>) {
+    private val sizes: Arbitrary<Double> =
+        mixed(4 to oneOf(1.0, 2.0, 3.0), 2 to oneOf(0.25, 1.5, 5.3), 1 to oneOf(24.0))
+
+    fun points(): Arbitrary<Coded<Surface>> = Combinators
+        .combine(positions(1), sizes, materials, WorldAttributes.any()).`as` { positions, size, material, attributes ->
+            val normals = attributes.normals(positions)
+            val colors = attributes.colors(positions)
+            val words = listOfNotNull(
+                code(positions), code(size), material.code, normals?.let { "normals = ${code(it)}" },
+                colors?.let { "colors = ${code(it)}" },
+            )
+            Coded(
+                Points(positions, size, material.value, normals, colors), words.joinToString(", ", "Points(", ")"),
+            )
+        }
+
+    /** Mostly polylines, otherwise arbitrary segments, including segments of length zero. */
+    fun lines(): Arbitrary<Coded<Surface>> = Combinators
+        .combine(positions(2), ints(0, 5).list().ofMinSize(1).ofMaxSize(8), sizes, materials, WorldAttributes.any())
+        .`as` { positions, turns, width, material, attributes ->
+            val count = positions.size / 3
+            val segments = turns.flatMapIndexed { i, turn ->
+                val first = i % count
+                listOf(first, if (turn < 4) (first + 1) % count else (first + turn) % count)
+            }.toIntArray()
+            val colors = attributes.colors(positions)
+            val words = listOfNotNull(
+                code(positions), "intArrayOf(${segments.joinToString()})", code(width), material.code,
+                colors?.let { "colors = ${code(it)}" },
+            )
+            Coded(Lines(positions, segments, width, material.value, colors), words.joinToString(", ", "Lines(", ")"))
+        }
+
+    private fun positions(least: Int): Arbitrary<FloatArray> =
+        WorldShapes.points.list().ofMinSize(least).ofMaxSize(12).map { list ->
+            list.flatMap { listOf(it.x.toFloat(), it.y.toFloat(), it.z.toFloat()) }.toFloatArray()
+        }
+}
+
+/**
+ * Generates cameras that look at the origin, around which the shapes are. Their field of view is about as large as the
+ * shapes.
+ */
+internal object WorldCameras {
+    /** A camera without a raster. The wider the raster, the smaller the field of view from top to bottom. */
+    class Aim(private val eye: Vector3d, private val lens: Lens) {
+        fun on(raster: Raster): Coded<Camera> {
+            val part = minOf(1.0, raster.height.toDouble() / raster.width)
+            val line = "${code(eye)}, Vector3d(), Vector3d(0.0, 1.0, 0.0)"
+            val up = Vector3d(0.0, 1.0, 0.0)
+            if (lens.angle > 0.0) {
+                val angle = lens.angle * part
+                val camera = Camera.perspective(eye, Vector3d(), up, angle, NEAR, FAR)
+                return Coded(camera, "Camera.perspective($line, $angle, $NEAR, $FAR)")
+            }
+            val height = lens.height * part
+            val camera = Camera.orthographic(eye, Vector3d(), up, height, NEAR, FAR)
+            return Coded(camera, "Camera.orthographic($line, $height, $NEAR, $FAR)")
+        }
+    }
+
+    /** The vertical field of view in degrees or, if that is 0, the height in world units. */
+    enum class Lens(val angle: Double, val height: Double) {
+        USUAL(40.0, 0.0),
+        PARALLEL(0.0, 4.0),
+        WIDE(60.0, 0.0),
+        CLOSE(0.0, 3.0),
+    }
+
+    /** Half of the cameras look along the z axis, so that surfaces of constant z are parallel to the screen. */
+    fun aims(): Arbitrary<Aim> {
+        val straight = ints(3, 6).map { Vector3d(0.0, 0.0, it.toDouble()) }
+        val oblique = Combinators.combine(ints(-3, 3), ints(-3, 3), ints(2, 5))
+            .`as` { x, y, z -> Vector3d(x.toDouble(), y.toDouble(), z.toDouble()) }
+        return Combinators.combine(mixed(1 to straight, 1 to oblique), oneOf(*Lens.values())).`as`(::Aim)
+    }
+
+    private const val NEAR = 0.5
+    private const val FAR = 10.0
 }

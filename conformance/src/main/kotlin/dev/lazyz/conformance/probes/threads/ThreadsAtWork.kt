@@ -13,6 +13,9 @@ import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.inTime
 import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.CyclicBarrier
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.Executors
 import java.util.concurrent.atomic.AtomicInteger
 
 // These checks observe threads; they do not compare pictures.
@@ -98,4 +101,23 @@ internal fun severalThreads(renderer: Renderer, kind: KindOfWork) {
         if (threads.size > 1) return
     }
     fail(configured, "one thread made all queries for a picture of $SIDE x $SIDE samples, although 4 are allowed")
+}
+
+/** Calls [block] for each of [cases] in a separate thread, all at the same time. Rethrows the first failure. */
+internal fun <T> atOnce(cases: List<T>, block: (T) -> Unit) {
+    val threads = Executors.newFixedThreadPool(cases.size) { Thread(it).apply { isDaemon = true } }
+    try {
+        val barrier = CyclicBarrier(cases.size)
+        val results = cases.map { case ->
+            threads.submit {
+                barrier.await()
+                block(case)
+            }
+        }
+        for (result in results) result.get()
+    } catch (e: ExecutionException) {
+        throw e.cause ?: e
+    } finally {
+        threads.shutdownNow()
+    }
 }

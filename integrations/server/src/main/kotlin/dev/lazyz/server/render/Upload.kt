@@ -1,5 +1,7 @@
 package dev.lazyz.server.render
 
+import java.util.concurrent.atomic.AtomicLong
+
 /**
  * The bytes of a model as they arrive. Takes their memory from [budget] as they arrive, so that a client that announces
  * much and sends little holds little. Not thread safe.
@@ -88,5 +90,27 @@ internal class Upload(private val announced: Long?, private val most: Long, priv
 
         /** Bytes of a part, at most. */
         const val LARGEST = 1 shl 20
+    }
+}
+
+/** An amount of memory that is given out in parts. Thread safe. */
+internal class MemoryBudget(val total: Long) {
+    private val taken = AtomicLong()
+
+    /** The bytes that are given out. */
+    val used: Long get() = taken.get()
+
+    /** Takes [bytes], or returns false if there are fewer. */
+    fun tryTake(bytes: Long): Boolean {
+        while (true) {
+            val now = taken.get()
+            if (bytes > total - now) return false
+            if (taken.compareAndSet(now, now + bytes)) return true
+        }
+    }
+
+    /** Gives back [bytes]. */
+    fun giveBack(bytes: Long) {
+        check(taken.addAndGet(-bytes) >= 0) { "more was given back than was taken" }
     }
 }

@@ -4,9 +4,12 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.ReferencePolicy
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.tiled.Tiled
+import java.io.Serializable
+import java.time.Duration
 import org.apache.spark.SparkEnv
 import org.apache.spark.sql.Row
 
@@ -57,5 +60,25 @@ internal class ModelPicture(limits: LoadLimits) {
                 ?: Runtime.getRuntime().availableProcessors()
             return (Runtime.getRuntime().maxMemory() * USER_PART / MEMORY_PER_DECODED / slots).toLong()
         }
+    }
+}
+
+/** The values of [LoadLimits], on their way to an executor. */
+internal class SerializableLimits(limits: LoadLimits) : Serializable {
+    private val decodedBytes: Long? = limits.decodedBytes
+    private val triangles: Long = limits.triangles
+    private val vertices: Long = limits.vertices
+    private val texels: Long = limits.texels
+    private val nesting: Int = limits.nesting
+    private val time: Duration? = limits.time
+    private val references: ReferencePolicy = limits.references
+    private val items: Long = limits.items
+
+    /** Returns the limits. */
+    fun limits(): LoadLimits =
+        LoadLimits(decodedBytes, triangles, vertices, texels, nesting, time, references, items = items)
+
+    private companion object {
+        const val serialVersionUID = 1L
     }
 }

@@ -1,4 +1,4 @@
-package dev.lazyz.server.metrics
+package dev.lazyz.server
 
 import java.util.concurrent.ConcurrentSkipListMap
 import java.util.concurrent.atomic.LongAdder
