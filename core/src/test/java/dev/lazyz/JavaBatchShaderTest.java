@@ -30,24 +30,6 @@ class JavaBatchShaderTest {
     }
 
     @Test
-    void aFragmentHasTheSameColourAloneAndInABatch() {
-        FragmentBatch batch = FragmentBatch.of(FragmentBatch.CAPACITY);
-        for (int i = 0; i < batch.getSize(); i++) {
-            batch.u[i] = i / 7f;
-            batch.vertexRed[i] = 1 - i / 300f;
-        }
-        stripes.shade(batch);
-        Fragment fragment = new Fragment();
-        for (int i = 0; i < batch.getSize(); i++) {
-            fragment.u = batch.u[i];
-            fragment.vertexRed = batch.vertexRed[i];
-            stripes.shade(fragment);
-            assertEquals(fragment.getRed(), batch.red[i]);
-            assertEquals(fragment.getGreen(), batch.green[i]);
-        }
-    }
-
-    @Test
     void fragmentsHaveNoAttributesAtFirst() {
         FragmentBatch batch = FragmentBatch.of(2);
         assertEquals("FragmentBatch(2 fragments)", batch.toString());

@@ -15,21 +15,11 @@ import dev.lazyz.world.material.AlphaMode;
 import dev.lazyz.world.material.Material;
 import dev.lazyz.world.surface.Mesh;
 import java.io.IOException;
-import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Typical Java code of a user of the library. */
 class JavaSampleTest {
-    @Test
-    void aShaderIsALambda() throws InterruptedException, IOException {
-        Material striped = new Material().withShader(f -> f.setColor(f.getX() % 2, 0.5f, f.worldY));
-        Mesh mesh = new Mesh(new float[] {-1, -1, 0, 1, -1, 0, 0, 1, 0}, new int[] {0, 1, 2}, striped);
-        Scene scene = new Scene(List.of(mesh.withSmoothNormals()), List.of(), Camera.fit(0, 0));
-        Image image = new ZBuffer().render(scene.frame(32, 32));
-        assertTrue(Arrays.stream(image.getArgb()).distinct().count() > 10);
-    }
-
     @Test
     void coloursOfAHue() {
         assertEquals(Rgba.ofRgb(0x00FF00), Rgba.hsv(120, 1, 1));
@@ -99,17 +89,6 @@ class JavaSampleTest {
     }
 
     @Test
-    void rowsGoToASink() throws InterruptedException, IOException {
-        int[] rows = {0};
-        Frame frame = new FrameBuilder(new Raster(5, 3))
-                .polygon(Rgba.BLACK, new double[9])
-                .build();
-        Counters counters = new ZBuffer().render(frame, (y, argb, depth, primitive) -> rows[0]++);
-        assertEquals(3, rows[0]);
-        assertEquals(1, counters.getPrimitives());
-    }
-
-    @Test
     void primitivesArriveOneByOne() throws InterruptedException, IOException {
         Primitive square = new FrameBuilder(new Raster(5, 3))
                 .polygon(Rgba.BLACK, new double[] {1, 1, 0, 3, 1, 0, 3, 2, 0, 1, 2, 0})
@@ -129,51 +108,5 @@ class JavaSampleTest {
         assertEquals(2, visible[0]);
         assertEquals(2, counters.getPrimitives());
         assertThrows(IllegalStateException.class, () -> drawing.add(square));
-    }
-
-    @Test
-    void aPrimitiveOfOnesOwn() throws InterruptedException, IOException {
-        Primitive dot = new Primitive() {
-            @Override
-            public int getRowStart() {
-                return 1;
-            }
-
-            @Override
-            public int getRowEnd() {
-                return 2;
-            }
-
-            @Override
-            public int getColumnStart() {
-                return 2;
-            }
-
-            @Override
-            public int getColumnEnd() {
-                return 3;
-            }
-
-            @Override
-            public void spans(int y, Spans spans) {
-                if (y == 1) {
-                    spans.add(2, 3);
-                }
-            }
-
-            @Override
-            public int depth(int x, int y) {
-                return 7;
-            }
-
-            @Override
-            public void shade(Fragment fragment) {
-                fragment.setColor(1, 1, 1);
-            }
-        };
-        Image image = new ZBuffer().render(new Frame(new Raster(4, 4, Rgba.BLACK), List.of(dot)));
-        assertEquals(1, image.getVisible());
-        assertEquals(7, image.depth(2, 1));
-        assertEquals(-1, image.argb(2, 1));
     }
 }

@@ -25,14 +25,6 @@ class KotlinSampleTest {
     }
 
     @Test
-    fun aShaderIsALambda() {
-        val checks = Material(shader = { f -> f.setColor(f.u, f.v, if (f.normalZ > 0) 1f else 0f) })
-        val image = ZBuffer().render(scene { add(Sphere(Vector3d(), 1.0, checks)) }.frame(32, 32))
-        assertTrue(image.visible > 200)
-        assertTrue(image.argb.toSet().size > 100)
-    }
-
-    @Test
     fun theReadmeShowsTheseLines() {
         val readme = ProjectFiles.root.resolve("README.md").readText()
         val block = readme.substringAfter("```kotlin\n").substringBefore("\n```").lines()

@@ -3,7 +3,6 @@ package dev.lazyz
 import dev.lazyz.geometry.Box
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
-import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Shading
 import dev.lazyz.world.scene
@@ -66,34 +65,6 @@ class OwnPrimitiveTest {
         assertEquals(expected, SampleSet.where(16, 16) { x, y -> image.primitive(x, y) == 0 })
         assertEquals((1 shl 30) + 13_000, image.depth(10, 5))
         assertEquals(Rgba(10 / 16f, 5 / 16f, 0f).toArgb(), image.argb(10, 5))
-    }
-
-    @Test
-    fun rule_2_8_twoBowlsInterpenetrate() {
-        val image = ZBuffer().render(Frame(raster, listOf(disk, Disk(raster, 12, 5))))
-        for (y in 0 until 16) {
-            for (x in 0 until 16) {
-                val first = (x - 8) * (x - 8) + (y - 8) * (y - 8)
-                val second = (x - 12) * (x - 12) + (y - 12) * (y - 12)
-                val expected = if (first <= 25 && (first <= second || second > 25)) {
-                    0
-                } else if (second <= 25) {
-                    1
-                } else {
-                    -1
-                }
-                assertEquals(expected, image.primitive(x, y)) { "sample $x, $y" }
-            }
-        }
-    }
-
-    @Test
-    fun rule_2_8_aFrameBuilderTakesIt() {
-        val wall = doubleArrayOf(0.0, 0.0, 0.55, 16.0, 0.0, 0.55, 16.0, 16.0, 0.55, 0.0, 16.0, 0.55)
-        val frame = FrameBuilder(raster).polygon(Rgba.BLACK, wall).add(disk).build()
-        val image = ZBuffer().render(frame)
-        assertEquals(1, image.primitive(8, 8))
-        assertEquals(0, image.primitive(0, 0))
     }
 
     /** A surface that consists of two spheres and a part that is never visible. */

@@ -18,7 +18,6 @@ import kotlinx.coroutines.runBlocking
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
-import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.assertThrows
@@ -70,17 +69,6 @@ class TranslucencyTest {
     }
 
     @Test
-    fun asOpaqueLeavesOpaqueFramesAlone() {
-        val opaque = Frame(raster, listOf(wall))
-        assertFalse(opaque.hasTranslucency)
-        assertSame(opaque, opaque.asOpaque())
-        assertSame(wall, frame.asOpaque().primitives[0])
-        assertEquals(Region(1, 1, 2, 2), frame.within(Region(1, 1, 2, 2)).asOpaque().region)
-        assertTrue(frame.within(Region(1, 1, 2, 2)).hasTranslucency)
-        assertFalse(frame.keeping { it == 0 }.hasTranslucency)
-    }
-
-    @Test
     fun steppedShadingOfAnOpaquePrimitiveIsOpaqueToo() {
         val frame = scene(material(0.5f), null).frame(24, 24).asOpaque()
         val direct = ZBuffer().render(frame)
@@ -125,24 +113,5 @@ class TranslucencyTest {
         val mesh = Mesh(positions, IntArray(6) { it }, material, null, null, colors)
         val sphere = Sphere(Vector3d(0.0, 0.0, 0.0), if (colors == null) 0.5 else Double.NaN, material)
         return Scene(listOf(sphere, mesh), background = Rgba.BLACK)
-    }
-
-    /** Many layers can take minutes, so renderers that blend end soon. */
-    @Test
-    fun rule_7_8_renderersThatBlendEndWhenTheyAreInterrupted() {
-        val interrupting = object : Primitive by glass {
-            override fun shade(fragment: Fragment) {
-                Thread.currentThread().interrupt()
-                glass.shade(fragment)
-            }
-
-            override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
-        }
-        for (renderer in Renderers.builtIn.filter { Capability.TRANSPARENCY in it.capabilities }) {
-            assertThrows<InterruptedException>(renderer.id) {
-                renderer.render(Frame(raster, listOf(wall, interrupting))) { _, _, _, _ -> }
-            }
-            assertFalse(Thread.interrupted(), renderer.id)
-        }
     }
 }

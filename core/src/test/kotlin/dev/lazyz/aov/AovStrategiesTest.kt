@@ -1,7 +1,6 @@
 package dev.lazyz.aov
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
@@ -9,7 +8,6 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
-import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
 import dev.lazyz.Selector
 import dev.lazyz.filter.PixelFilter
@@ -125,57 +123,6 @@ class AovStrategiesTest {
                 assertEquals(usual.counters, aovs.counters) { "${renderer.id}, $frame" }
             }
         }
-    }
-
-    @Test
-    fun overdrawAddsUpToFragments() {
-        for (frame in frames().filter { it.sampling.filter == PixelFilter.BOX }) {
-            val sum = AovFrame(frame, setOf(Aov.OVERDRAW)).render(Tiled())[Aov.OVERDRAW].ints.sumOf { it.toLong() }
-            assertEquals(frame.render(ZBuffer()).counters.fragments, sum) { "$frame" }
-            assertEquals(frame.render(Lists()).counters.fragments, sum) { "$frame" }
-
-            // Other renderers may reject hidden primitives before they know their samples
-            for (renderer in Renderers.builtIn) assertTrue(frame.render(renderer).counters.fragments <= sum)
-        }
-    }
-
-    @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun shadingCallsAddUpToTheCounterOfEachRenderer() {
-        val options = listOf(
-            RenderOptions(threads = 1),
-            RenderOptions(threads = 4, tileSize = 8),
-            RenderOptions(coherence = Coherence.INCREMENTAL),
-            RenderOptions(memoryBudget = 4096),
-            RenderOptions(selector = Selector.farthest()),
-        )
-        val glass = SuperSampling(2).frame(mixed, raster)
-        for (frame in frames().filter { it.sampling.filter == PixelFilter.BOX } + glass) {
-            for (renderer in renderers(frame)) {
-                for (option in options) {
-                    val configured = renderer.configured(option.supportedBy(renderer))
-                    val aovs = AovFrame(frame, setOf(Aov.SHADING_CALLS)).render(configured)
-                    val sum = aovs[Aov.SHADING_CALLS].ints.sumOf { it.toLong() }
-                    assertEquals(aovs.counters.shadingCalls, sum) { "${renderer.id}, $option, $frame" }
-                }
-            }
-        }
-    }
-
-    @Test
-    fun shadingCallsShowLaziness() {
-        val frame = SuperSampling.NONE.frame(opaque, raster)
-        fun calls(renderer: Renderer) =
-            AovFrame(frame, setOf(Aov.SHADING_CALLS, Aov.COVERAGE)).render(renderer).let { aovs ->
-                aovs[Aov.SHADING_CALLS].ints.toList() to aovs[Aov.COVERAGE].floats.map { it.toInt() }
-            }
-        for (renderer in Renderers.builtIn.filter { Capability.SHADES_ONLY_VISIBLE in it.capabilities }) {
-            val (count, coverage) = calls(renderer)
-            assertEquals(coverage, count) { renderer.id }
-        }
-        val (eager, coverage) = calls(ZBuffer())
-        assertNotEquals(coverage, eager)
-        assertTrue(eager.zip(coverage).all { (count, covered) -> count >= covered })
     }
 
     @Test

@@ -98,33 +98,6 @@ class AovTest {
         }
     }
 
-    @Test
-    fun distancesOfPositionsAreKnownForScenesOnly() {
-        val scene = Scene(listOf(Sphere(Vector3d(), 1.0)), viewpoint = camera)
-        val view = scene.frame(raster).content.view
-        assertEquals(3.0, view.distance(1f, 2f, 2f), 1e-12)
-        val triangle = doubleArrayOf(0.0, 0.0, 0.5, 40.0, 0.0, 0.5, 0.0, 40.0, 0.5)
-        val frame = FrameBuilder(raster).polygon(Rgba.BLACK, triangle).build()
-        assertTrue(frame.content.view.distance(1f, 2f, 0.5f).isNaN())
-    }
-
-    @Test
-    fun depthOfASphereIsExactToSinglePrecision() {
-        val depth = render(sampled(listOf(Sphere(Vector3d(), 1.0))), Aov.DEPTH)[Aov.DEPTH]
-        var covered = 0
-        forPixels { x, y ->
-            val exact = hit(x, y)
-            val number = depth.number(x, y, 0)
-            if (exact.isNaN()) {
-                assertEquals(Double.POSITIVE_INFINITY, number)
-            } else {
-                covered++
-                assertEquals(exact, number, 5 * 6e-8) { "$x, $y" }
-            }
-        }
-        assertTrue(covered > 50) { "$covered" }
-    }
-
     /** Where the ray through a pixel enters the unit sphere at the origin, as a multiple of (px, py, -1), or NaN. */
     private fun hit(x: Int, y: Int): Double {
         val a = px(x) * px(x) + py(y) * py(y) + 1
@@ -244,15 +217,6 @@ class AovTest {
         assertEquals(0.5, aovs[Aov.DEPTH].number(3, 7, 0), 1e-6)
         assertEquals(Vector3d(), vector(aovs[Aov.NORMAL], 3, 7))
         assertEquals(0.0, aovs[Aov.OBJECT].number(3, 7, 0))
-    }
-
-    @Test
-    fun ofEqualSamplesTheFirstCounts() {
-        val triangle = doubleArrayOf(0.0, 0.0, 0.5, 40.0, 0.0, 0.5, 0.0, 40.0, 0.5)
-        val frame = FrameBuilder(raster).polygon(Rgba.BLACK, triangle).build()
-        val position = render(SuperSampling(2).of(frame), Aov.POSITION)[Aov.POSITION]
-        assertEquals(6.5, position.number(3, 7, 0), 1e-6)
-        assertEquals(14.5, position.number(3, 7, 1), 1e-6)
     }
 
     @Test

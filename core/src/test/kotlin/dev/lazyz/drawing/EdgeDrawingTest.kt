@@ -2,13 +2,11 @@ package dev.lazyz.drawing
 
 import dev.lazyz.Image
 import dev.lazyz.Raster
-import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.Transforms
 import dev.lazyz.shared.ProcessorTime
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
@@ -30,7 +28,6 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** Visible edges are drawn, hidden ones are not, and all strategies draw the same. */
 class EdgeDrawingTest {
@@ -68,18 +65,6 @@ class EdgeDrawingTest {
                 ZBuffer().render(EdgeStyle(hidden = hidden).drawnOn(scene).frame(100, 100))
             }
             assertArrayEquals(both.argb, front.argb) { "$hidden" }
-        }
-    }
-
-    /** What is not drawn, and not hidden either, has no edges. */
-    @Test
-    fun rule_10_2_backsThatAreNotDrawnHaveNoEdges() {
-        val back = Mesh(
-            floatArrayOf(-1f, -1f, 0f, 1f, -1f, 0f, 1f, 1f, 0f), intArrayOf(0, 2, 1), plain.withSides(Sides.FRONT),
-        )
-        for (hidden in HiddenLines.entries) {
-            val image = render(listOf(back), EdgeStyle(hidden = hidden))
-            assertEquals(0, image.visible) { "$hidden" }
         }
     }
 
@@ -274,19 +259,6 @@ class EdgeDrawingTest {
         intArrayOf(0, 1, 2, 0, 2, 3), plain,
     )
 
-    /** A floor under the camera, and a box below it, of which a part is beside the floor. */
-    @Test
-    fun rule_10_2_aPolygonThatReachesBehindTheEyeHides() {
-        val floor = listOf(
-            Vertex(-20.0, 0.0, 10.0), Vertex(2.0, 0.0, 10.0), Vertex(2.0, 0.0, -40.0), Vertex(-20.0, 0.0, -40.0),
-        )
-        val eye = Vector3d(0.0, 1.0, 0.0)
-        val camera = Camera.perspective(eye, Vector3d(0.0, 0.0, -5.0), Vector3d(0.0, 1.0, 0.0), 60.0, 0.01, 100.0)
-        val box = Solids.box(-1f, -3f, -7f, 4f, -1f, -5f, plain)
-        val expected = render(listOf(mesh(floor), box), EdgeStyle(), camera)
-        assertArrayEquals(expected.argb, render(listOf(Polygon(listOf(floor), plain), box), EdgeStyle(), camera).argb)
-    }
-
     /** A part that stands on another one: the edges on the contact are on a surface that is not theirs. */
     @Test
     fun rule_10_2_facesThatTouchAnEdgeDoNotHideIt() {
@@ -316,42 +288,6 @@ class EdgeDrawingTest {
     }
 
     @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun rule_10_3_allStrategiesAndRegionsGiveTheSameBits() {
-        val surfaces = listOf(
-            Solids.torus(1.0, 0.4, 24, 12), Solids.box(0.2f, -0.3f, 0.1f, 1.7f, 0.4f, 0.9f),
-        )
-        val dashed = EdgeStyle(width = 1.5, hidden = HiddenLines.DASHED)
-        for (style in listOf(dashed, EdgeStyle(EdgeSet.ALL, width = 0.7, color = Rgba.ofRgb(0x2040A0)))) {
-            val scene = style.drawnOn(Scene(surfaces, viewpoint = Camera.fit(30.0, 40.0)))
-            for (factor in listOf(1, 4)) {
-                val frame = SuperSampling(factor).frame(scene, Raster(48, 40))
-                val expected = frame.render(ZBuffer())
-                for (renderer in Renderers.builtIn) {
-                    val image = frame.render(renderer)
-                    assertArrayEquals(expected.argb, image.argb) { "${renderer.id}, $style, $factor" }
-                    assertArrayEquals(expected.depth, image.depth) { renderer.id }
-                    val part = frame.within(Region(11, 7, 40, 32)).render(renderer)
-                    for (y in 7 until 32) {
-                        for (x in 11 until 40) assertEquals(expected.argb[y * 48 + x], part.argb[(y - 7) * 29 + x - 11])
-                    }
-                }
-                assertTrue(expected.argb.toSet().size > 10) { "$style" }
-            }
-        }
-    }
-
-    @Test
-    fun rule_10_2_changedMaterialsHideAsTheyAreDrawn() {
-        val surfaces = listOf(square(-1f, -1f, 1f, 1f, 1f), square(-0.5f, -0.5f, 0.5f, 0.5f, 0f))
-        val scene = Scene(surfaces, viewpoint = front)
-        val glass = plain.withBaseColor(Rgba(1f, 1f, 1f, 0.5f)).withAlphaMode(AlphaMode.BLEND)
-        val before = EdgeStyle().drawnOn(scene.withMaterials { glass })
-        val after = EdgeStyle().drawnOn(scene).withMaterials { glass }
-        assertArrayEquals(Lists().render(before.frame(50, 50)).argb, Lists().render(after.frame(50, 50)).argb)
-    }
-
-    @Test
     fun linesOfTheScreenAreWhereTheirMeshIs() {
         val corners = floatArrayOf(0f, 0f, 0f, 20f, 0f, 0f, 20f, 20f, 0f, 0f, 20f, 0f)
         val there = FloatArray(12) { corners[it] + if (it % 3 == 2) 0.5f else 50f }
@@ -377,31 +313,6 @@ class EdgeDrawingTest {
             for (edges in EdgeSet.entries) render(surfaces, EdgeStyle(edges, hidden = HiddenLines.SOLID), camera)
         }
         render(emptyList(), EdgeStyle())
-    }
-
-    @Test
-    fun rule_10_3_linesOfOneSampleHaveNoGaps() {
-        val random = Random(3)
-        repeat(200) {
-            val angle = random.nextDouble() * 6.3
-            val x = (1.5 * StrictMath.cos(angle)).toFloat()
-            val y = (1.5 * StrictMath.sin(angle)).toFloat()
-            val needle = Mesh(floatArrayOf(-x, -y, 0f, x, y, 0f, x, y, -1f), intArrayOf(0, 1, 2), plain)
-            val image = render(listOf(needle), EdgeStyle(width = 0.2))
-            val isSteep = StrictMath.abs(y) > StrictMath.abs(x)
-            for (i in 0..40) {
-                val at = 30 + i
-                val slope = if (isSteep) x / y else y / x
-                val limit = (if (isSteep) y else x).let { StrictMath.abs(it) * 25 }
-                if (StrictMath.abs(at + 0.5 - 50) > limit) continue
-                val across = (50 - (at + 0.5 - 50) * slope)
-                val hits = (-1..1).count { d ->
-                    val other = StrictMath.floor(across).toInt() + d
-                    if (isSteep) image.isBlack(other, at) else image.isBlack(at, other)
-                }
-                assertTrue(hits in 1..2) { "$angle: $hits at $at" }
-            }
-        }
     }
 
     @Test

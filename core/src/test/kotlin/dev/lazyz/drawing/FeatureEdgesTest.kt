@@ -113,15 +113,4 @@ class FeatureEdgesTest {
         assertThrows(IllegalArgumentException::class.java) { FeatureEdges(181.0) }
         assertThrows(IllegalArgumentException::class.java) { FeatureEdges(Double.NaN) }
     }
-
-    /** Two triangles meet one longer one: three boundaries in one line, and no exception. */
-    @Test
-    fun aVertexOnASideMakesBoundaries() {
-        val junction = mesh(
-            0f, 0f, 0f, 2f, 0f, 0f, 1f, 1f, 0f,
-            0f, 0f, 0f, 1f, -1f, 0f, 1f, 0f, 0f,
-            1f, 0f, 0f, 1f, -1f, 0f, 2f, 0f, 0f,
-        )
-        assertEquals(7, count(junction))
-    }
 }

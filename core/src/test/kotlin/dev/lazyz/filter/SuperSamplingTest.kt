@@ -137,16 +137,6 @@ class SuperSamplingTest {
     }
 
     @Test
-    fun rule_6_12_equalSamplesAreTheirPixel() {
-        for (color in listOf(0, 0x00FFFFFF, 0x01020304, 0x7F80FF00, -1, 0xFF000000.toInt(), 0xFF010101.toInt())) {
-            for (factor in 1..16) {
-                val pixels = filtered(image(factor, { color }), factor)
-                assertEquals(color, pixels.argb[0]) { "%08x, %d".format(color, factor) }
-            }
-        }
-    }
-
-    @Test
     fun rule_6_12_blackAndWhiteGiveHalfTheLight() {
         // Half of the light has the code 188, not 128
         val pixel = filtered(image(2, { if (it % 2 == 0) -1 else 0xFF000000.toInt() }), 2).argb[0]
@@ -274,24 +264,6 @@ class SuperSamplingTest {
         val frame = SuperSampling(2, rate = ShadingRate.PIXEL).of(glass)
         assertThrows(IllegalArgumentException::class.java) { frame.render(Tiled()) }
         assertEquals(SuperSampling(2).of(glass.asOpaque()).render(ZBuffer()), frame.asOpaque().render(ZBuffer()))
-    }
-
-    @Test
-    fun oneSampleAPixelChangesNothing() {
-        assertEquals(Tiled().render(scene.frame(raster)), SuperSampling.NONE.frame(scene, raster).render(Tiled()))
-    }
-
-    @Test
-    fun coverageOfASlantedEdgeIsItsArea() {
-        // A right triangle covers half of every pixel on its hypotenuse, except for the samples on it
-        val factor = 8
-        val side = 10 * factor
-        val corners = doubleArrayOf(0.0, 0.0, 0.5, side.toDouble(), side.toDouble(), 0.5, 0.0, side.toDouble(), 0.5)
-        val frame = FrameBuilder(Raster(side, side, Rgba.TRANSPARENT)).polygon(Rgba.BLACK, corners).build()
-        val image = SuperSampling(factor).of(frame).render(ZBuffer())
-        for (i in 0 until 10) assertEquals(127.5, (image.argb(i, i) ushr 24).toDouble(), 255.0 / (2 * factor) + 1)
-        assertEquals(255, image.argb(2, 7) ushr 24)
-        assertEquals(0, image.argb(7, 2) ushr 24)
     }
 
     @Test

@@ -9,7 +9,6 @@ import java.util.Random
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class VerticalGradientTest {
@@ -27,31 +26,9 @@ class VerticalGradientTest {
     }
 
     @Test
-    fun rule_6_15_transparentPixelsShowTheGradient() {
-        // Codes at 1/8, 3/8, 5/8 and 7/8 of the way
-        val rows = List(4) { row(it, 4, 0).single() }
-        val expected = listOf(0xFF2C342A, 0xFF645C1E, 0xFF9C8412, 0xFFD4AC06).map { it.toInt() }
-        assertEquals(expected.map { Integer.toHexString(it) }, rows.map { Integer.toHexString(it) })
-    }
-
-    @Test
     fun rule_6_15_opaquePixelsAreUnchanged() {
         val codes = IntArray(256) { 0xFF shl 24 or (it * 0x10101) }
         assertArrayEquals(codes, row(5, 9, *codes))
-    }
-
-    @Test
-    fun rule_6_15_translucentPixelsAreMixedInLinearLight() {
-        val half = row(1, 3, 0x80FFFFFF.toInt()).single()
-        val behind = Rgba.ofArgb(row(1, 3, 0).single())
-        val expected = (128 + 127 * behind.red) / 255
-        assertEquals(expected, Rgba.ofArgb(half).red, 0.004f)
-        assertEquals(0xFF, half ushr 24)
-
-        // The more opaque, the nearer to the colour in front
-        val whites = List(256) { row(1, 3, it shl 24 or 0xFFFFFF).single() and 0xFF }
-        assertEquals(whites.sorted(), whites)
-        assertTrue(whites.toSet().size > 100)
     }
 
     /** The formula of the contract, for all alphas and codes, in rows of pictures of any height. */

@@ -9,14 +9,12 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class GroundShadowTest {
     private fun picture(scene: Scene, viewpoint: Camera, background: Rgba, strength: Float = 0.6f): Image {
@@ -89,26 +87,6 @@ class GroundShadowTest {
         assertTrue(picture(scene, camera, Rgba.WHITE).primitive.none { it >= 2 })
     }
 
-    /** The planes of a fitted camera touch the scene; the shadow reaches farther. */
-    @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun theWholeShadowIsBetweenThePlanes() {
-        for (kind in Fit.entries) {
-            for (elevation in listOf(5.0, 45.0, 90.0)) {
-                val camera = Camera.fit(0.0, elevation, zoom = 0.2, kind = kind).camera(scene, 80.0 / 60.0)
-                val shadow = shadow(scene)
-                val wide = shadow.camera(camera)
-                assertTrue(wide.near <= camera.near && wide.far >= camera.far)
-                val image = picture(scene, camera, Rgba.WHITE)
-
-                // Beside the balls, the ground begins and ends as bright as the background
-                val rows = ground(image, 30)
-                val ends = listOf(rows.first(), rows.last()).map { "%08x".format(image.argb(30, it)) }
-                assertEquals(listOf("ffffffff", "ffffffff"), ends) { "$kind at $elevation: $rows" }
-            }
-        }
-    }
-
     /** Without a hard edge: the border is the background, and from there the shadow grows slowly. */
     @Test
     fun theShadowEndsInsideThePicture() {
@@ -127,22 +105,6 @@ class GroundShadowTest {
                 for (x in 0 until 160) assertTrue(code(x, 118) > 0xF8 && code(x, 117) > 0xF0) { "column $x, $where" }
             }
         }
-    }
-
-    /** Where nothing hides the sky there is no shadow, not even far from the scene. */
-    @Test
-    fun pointsHaveNoShadow() {
-        val points = Scene(listOf(Points(floatArrayOf(0f, 0f, 0f, 1f, 3f, 1f, -1f, 1f, 0f), 1.0)))
-        val camera = Camera.fit(0.0, 30.0, zoom = 0.3).camera(points, 80.0 / 60.0)
-        val image = picture(points, camera, Rgba.WHITE)
-        assertTrue(image.argb.indices.all { image.primitive[it] < 3 || image.argb[it] == -1 })
-    }
-
-    @Test
-    fun camerasThatFitIgnoreIt() {
-        val with = scene.withSurfaces(scene.surfaces + shadow(scene))
-        assertEquals(scene.camera(80, 60).eye, with.camera(80, 60).eye)
-        assertEquals(scene.bounds.toString(), with.bounds.toString())
     }
 
     /** As `docs/light.md` shows. */

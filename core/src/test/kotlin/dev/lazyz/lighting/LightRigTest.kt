@@ -57,15 +57,6 @@ class LightRigTest {
     }
 
     @Test
-    fun metalsAreNotBlack() {
-        val mirror = Material().withMetallicRoughness(MetallicRoughness(1f, 0.2f))
-        for (rig in LightRig.entries - LightRig.FLAT) {
-            val mean = visible(picture(ball(mirror), rig)).map { it ushr 8 and 0xFF }.average()
-            assertTrue(mean > 60) { "$rig: $mean" }
-        }
-    }
-
-    @Test
     fun lightsAreAddedToWhatMetalsReflect() {
         val mirror = Material().withMetallicRoughness(MetallicRoughness(1f, 0.2f))
         val lamp = listOf(Light.Point(Vector3d(2.0, 3.0, 4.0), Rgba(0.1f, 0.1f, 0.1f)))
@@ -139,21 +130,6 @@ class LightRigTest {
             val from = front.toWorldDirection(sun.right, sun.above, sun.front)
             assertTrue(from.negate().distance(light.direction) < 1e-9)
         }
-    }
-
-    @Test
-    fun aHeadlightIsSymmetricAndTheSunStaysInPlace() {
-        val front = picture(ball(Material()), LightRig.HEADLIGHT)
-        for (y in 0 until 61) {
-            for (x in 0 until 61) {
-                val difference = (front.argb(x, y) and 0xFF) - (front.argb(60 - x, y) and 0xFF)
-                assertTrue(difference in -2..2) { "($x, $y): $difference" }
-            }
-        }
-        val turned = ball(Material()).withViewpoint(Camera.fit(220.0, 15.0))
-        val (before, after) = listOf(ball(Material()), turned)
-            .map { scene -> visible(picture(scene, LightRig.SUN)).map { it and 0xFF }.average() }
-        assertTrue(before > after + 8) { "$before, seen from behind $after" }
     }
 
     /** Light is linear: doubled light gives doubled colours, for all kinds of light and materials. */

@@ -27,24 +27,6 @@ class CoverageProperties {
     @Provide
     fun rules(): Arbitrary<FillRule> = Arbitraries.of(FillRule::class.java)
 
-    @Property(seed = "1995", tries = 400, edgeCases = EdgeCasesMode.NONE)
-    fun rule_1_3_movingByWholePixelsMovesCoverage(
-        @ForAll("drawings") drawing: GridDrawing,
-        @ForAll @IntRange(min = -3, max = 3) columns: Int,
-        @ForAll @IntRange(min = -3, max = 3) rows: Int,
-    ) {
-        val far = drawing.contours.flatten().any { Math.abs(it.x) > 1 shl 26 || Math.abs(it.y) > 1 shl 26 }
-        if (far) return
-        val before = drawing.samples(FillRule.NON_ZERO)
-        val after = drawing.moved(columns, rows).samples(FillRule.NON_ZERO)
-        for (y in 0 until drawing.height) {
-            for (x in 0 until drawing.width) {
-                if (x + columns !in 0 until drawing.width || y + rows !in 0 until drawing.height) continue
-                assertEquals(before[x, y], after[x + columns, y + rows]) { "sample $x, $y" }
-            }
-        }
-    }
-
     @Property(seed = "1995", tries = 1000, edgeCases = EdgeCasesMode.NONE)
     fun rule_2_2_trianglesFollowTheTopLeftRule(@ForAll("triangles") drawing: GridDrawing) {
         val (a, b, c) = drawing.contours.single()
@@ -131,18 +113,6 @@ class CoverageProperties {
     @Property(seed = "1995", tries = 1500, edgeCases = EdgeCasesMode.NONE)
     fun rule_2_4_windingsDecide(@ForAll("drawings") drawing: GridDrawing, @ForAll("rules") rule: FillRule) {
         assertEquals(drawing.expected(rule), drawing.samples(rule))
-    }
-
-    @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
-    fun rule_2_4_aHoleIsExactlyWhatFillsIt(
-        @ForAll("drawings") outer: GridDrawing,
-        @ForAll("drawings") hole: GridDrawing,
-    ) {
-        val inner = hole.copy(width = outer.width, height = outer.height)
-        val both = outer.copy(contours = outer.contours + inner.contours).samples(FillRule.EVEN_ODD)
-        val plug = inner.samples(FillRule.EVEN_ODD)
-        val expected = SampleSet.where(outer.width, outer.height) { x, y -> both[x, y] != plug[x, y] }
-        assertEquals(expected, outer.samples(FillRule.EVEN_ODD))
     }
 
     @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)

@@ -4,7 +4,6 @@ import dev.lazyz.Depth
 import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
-import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
@@ -13,7 +12,6 @@ import dev.lazyz.SampleScenes
 import dev.lazyz.behindAll
 import dev.lazyz.samples
 import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.scene
 import java.util.Random
 import net.jqwik.api.Arbitraries
@@ -95,69 +93,6 @@ class VisibilityProperties {
     }
 
     private fun <T> List<T>.random(random: Random): T = this[random.nextInt(size)]
-
-    @Property(seed = "1995", tries = 100, edgeCases = EdgeCasesMode.NONE)
-    fun rule_5_2_coincidentSurfacesShowTheFirst(@ForAll random: Random, @ForAll("tests") test: DepthTest) {
-        val raster = Raster(16, 16, depthTest = test, backgroundDepth = test.behindAll)
-        val one = SampleScenes.drawn(random, raster, 1).primitives
-        val image = ZBuffer().render(Frame(raster, one + one + one))
-        val isLast = test == DepthTest.LESS_OR_EQUAL || test == DepthTest.GREATER_OR_EQUAL
-        val covered = one.single().samples(raster)
-        for (y in 0 until 16) {
-            for (x in 0 until 16) {
-                val expected = if (!covered[x, y]) {
-                    DepthTest.BACKGROUND
-                } else if (isLast) {
-                    2
-                } else {
-                    0
-                }
-                assertEquals(expected, image.primitive(x, y))
-            }
-        }
-    }
-
-    @Property(seed = "1995", tries = 100, edgeCases = EdgeCasesMode.NONE)
-    fun rule_5_4_orderIsIrrelevantWithoutTies(@ForAll random: Random, @ForAll("tests") test: DepthTest) {
-        val raster = Raster(16, 16, depthTest = test, backgroundDepth = test.behindAll)
-        val builder = FrameBuilder(raster)
-        repeat(8) { i ->
-            val contour = DoubleArray(9) {
-                if (it % 3 == 2) {
-                    (i + 0.5 * random.nextDouble()) / 8
-                } else {
-                    random.nextInt(40) - 10.0
-                }
-            }
-            builder.polygon(Rgba(random.nextFloat(), random.nextFloat(), i / 8f), contour)
-        }
-        val primitives = builder.build().primitives
-        val order = primitives.indices.shuffled(random)
-        val before = ZBuffer().render(Frame(raster, primitives))
-        val after = ZBuffer().render(Frame(raster, order.map { primitives[it] }))
-        assertEquals(before.argb.toList(), after.argb.toList())
-        assertEquals(before.depth.toList(), after.depth.toList())
-        assertEquals(before.primitive.toList(), after.primitive.map { if (it < 0) it else order[it] })
-    }
-
-    @Property(seed = "1995", tries = 50, edgeCases = EdgeCasesMode.NONE)
-    fun rule_5_4_aSurfaceBehindOthersChangesNothing(@ForAll random: Random) {
-        val raster = Raster(16, 16)
-        val wall = doubleArrayOf(-1.0, -1.0, 0.3, 40.0, -1.0, 0.3, -1.0, 40.0, 0.3)
-        fun image(contour: DoubleArray): Image = ZBuffer().render(
-            FrameBuilder(raster).polygon(Rgba.BLACK, contour).polygon(Rgba.WHITE, wall).build(),
-        )
-        val hidden = {
-            DoubleArray(9) {
-                if (it % 3 == 2) {
-                    0.4 + 0.5 * random.nextDouble()
-                } else {
-                    random.nextDouble() * 16
-                }
-            }
-        }
-        assertEquals(image(hidden()), image(hidden()))
-    }
 
     @Property(seed = "1995", tries = 30, edgeCases = EdgeCasesMode.NONE)
     fun rule_4_1_bothConventionsShowTheSame(@ForAll random: Random) {

@@ -34,9 +34,6 @@ class ContourCutTest {
     private fun isInside(contours: List<List<Vertex>>, rule: FillRule, x: Double, y: Double): Boolean =
         windings(contours, x, y).let { if (rule == FillRule.EVEN_ODD) it.size % 2 != 0 else it.sum() != 0 }
 
-    private fun area(contours: List<List<Vertex>>): Double =
-        sides(contours).sumOf { (a, b) -> a.x * b.y - b.x * a.y } / 2
-
     /** A pipe along the y axis, cut across and then lengthwise: no side leads over the bore. */
     @Test
     fun rule_10_5_aCapThatIsCutThroughAHoleHasNoSideAcrossIt() {
@@ -55,29 +52,6 @@ class ContourCutTest {
             val inPlane = sides(across.contours).filter { (a, b) -> minOf(a.x, b.x) > 0.049 }
             assertEquals(2, inPlane.size)
             for ((a, b) in inPlane) assertEquals(0.5, StrictMath.abs(a.z - b.z), 1e-9) { "$a $b" }
-        }
-    }
-
-    @Test
-    fun rule_10_4_aConcaveContourIsDividedIntoItsParts() {
-        val comb = contour(0, 0, 5, 0, 5, 4, 4, 4, 4, 1, 3, 1, 3, 4, 2, 4, 2, 1, 1, 1, 1, 4, 0, 4)
-        for (rule in FillRule.entries) {
-            val teeth = cut(Polygon(listOf(comb), fillRule = rule), SectionPlane.y(2.0).reversed())
-            assertEquals(listOf(4, 4, 4), teeth.map { it.size })
-            assertEquals(listOf(2.0, 2.0, 2.0), teeth.map { area(listOf(it)) })
-            assertEquals(1, cut(Polygon(listOf(comb), fillRule = rule), SectionPlane.y(2.0)).size)
-        }
-    }
-
-    /** Without a rule for directions, two sides at the same place cancel each other whatever theirs are. */
-    @Test
-    fun rule_10_4_holesOfBothDirectionsAreOpen() {
-        val outer = contour(0, 0, 4, 0, 4, 4, 0, 4)
-        val hole = contour(1, 1, 3, 1, 3, 3, 1, 3)
-        for (inner in listOf(hole, hole.reversed())) {
-            val rest = cut(Polygon(listOf(outer, inner)), SectionPlane.y(2.0)).single()
-            assertEquals(8, rest.size)
-            assertEquals(6.0, area(listOf(rest)))
         }
     }
 

@@ -197,18 +197,6 @@ class DegenerateTest {
         }
     }
 
-    @Test
-    fun rule_9_6_narrowRastersAreDrawnCorrectly() {
-        val random = Random(8)
-        for ((width, height) in listOf(Pair(1, 1), Pair(1, 40), Pair(40, 1), Pair(2, 3))) {
-            repeat(10) {
-                val scene = SampleScenes.mixed(random)
-                val image = ZBuffer().render(scene.frame(width, height))
-                assertEquals(width * height, image.argb.size)
-            }
-        }
-    }
-
     private fun orthographic(): Camera =
         Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 4.0, -10.0, 20.0)
 

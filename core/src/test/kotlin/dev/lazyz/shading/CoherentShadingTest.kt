@@ -97,13 +97,6 @@ class CoherentShadingTest {
     }
 
     @TestFactory
-    fun linearAttributesAreNotSteppedWithoutNeed(): List<DynamicTest> = forEachRenderer { renderer ->
-        val plain = SampleScenes.mixed(Random(3)).frame(60, 40)
-        assertTrue(counters(renderer, plain, Coherence.INCREMENTAL).shadingSteps > 0)
-        assertEquals(0, counters(renderer, plain, Coherence.ADAPTIVE).shadingSteps)
-    }
-
-    @TestFactory
     fun memoryIsWhatTheChainsOfARowTake(): List<DynamicTest> = forEachRenderer { renderer ->
         val crowd = frame(wallCost = 0, pickets = 256, pitch = 2) { it }
         val direct = counters(renderer, crowd, Coherence.DIRECT).peakBytes

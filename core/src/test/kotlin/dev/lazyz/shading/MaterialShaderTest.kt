@@ -103,22 +103,6 @@ class MaterialShaderTest {
     }
 
     @Test
-    fun rule_6_6_aTextureIsReadAtTheMeshsCoordinates() {
-        val positions = floatArrayOf(-9f, -9f, 0f, 9f, -9f, 0f, 0f, 12f, 0f)
-        val texel = FloatArray(4)
-        for (place in listOf(0.25f, 0.4f, 0.75f)) {
-            val mesh = Mesh(
-                positions, intArrayOf(0, 1, 2), Material(texture = texture, shading = Shading.CONSTANT),
-                uvs = FloatArray(6) { place },
-            )
-            val fragment = Fragment()
-            Scene(listOf(mesh), lights, camera).frame(1, 1).primitives.single().shade(fragment)
-            texture.sample(place, place, texel)
-            assertEquals(texel.take(3), listOf(fragment.red, fragment.green, fragment.blue))
-        }
-    }
-
-    @Test
     fun rule_6_1_aPolygonIsColouredAsATriangleOfAMesh() {
         val random = Random(7)
         var samples = 0

@@ -14,7 +14,6 @@ import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import net.jqwik.api.statistics.Statistics
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertTrue
 
 /** Contract rules 6.1 and 3.1: colours and depths are pure functions of primitive and sample. */
 class ShadingProperties {
@@ -94,18 +93,5 @@ class ShadingProperties {
         // A frame with only constant colours has no steps; most frames have other colours
         Statistics.collect(cursors > 0)
         Statistics.coverage { it.check(true).percentage(Predicate { share -> share > 50.0 }) }
-    }
-
-    @Property(seed = "1995", tries = 25, edgeCases = EdgeCasesMode.NONE)
-    fun rule_3_1_depthStepsToTheSameBits(@ForAll random: Random) {
-        for (place in places(SampleScenes.mixed(random).frame(20, 16))) {
-            val form = place.primitive.depthForm ?: continue
-            var value = form.at(0, 0)
-            repeat(place.y) { value += form.dy }
-            repeat(place.x) { value += form.dx }
-            val depth = place.primitive.depth(place.x, place.y)
-            assertEquals(depth, (value shr 32).toInt())
-            assertTrue(depth in place.primitive.leastDepth..place.primitive.greatestDepth)
-        }
     }
 }

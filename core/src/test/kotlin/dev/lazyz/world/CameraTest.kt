@@ -146,22 +146,6 @@ class CameraTest {
     }
 
     @Test
-    fun fittedCamerasLookFromWhereTheySay() {
-        val scene = Scene(listOf(Sphere(Vector3d(), 1.0)))
-        fun direction(azimuth: Double, elevation: Double): Vector3d =
-            Vector3d(Camera.fit(azimuth, elevation).camera(scene, 1.0).eye).normalize()
-        assertEquals(0.0, direction(0.0, 0.0).distance(0.0, 0.0, 1.0), 1e-12)
-        assertEquals(0.0, direction(90.0, 0.0).distance(1.0, 0.0, 0.0), 1e-12)
-        assertEquals(0.0, direction(45.0, 90.0).distance(0.0, 1.0, 0.0), 1e-12)
-        assertEquals(0.0, direction(0.0, -90.0).distance(0.0, -1.0, 0.0), 1e-12)
-    }
-
-    @Test
-    fun aSceneWithNothingInItIsStillFramed() {
-        for (kind in Fit.entries) assertTrue(Camera.fit(kind = kind).camera(Scene(emptyList()), 1.0).near >= 0)
-    }
-
-    @Test
     fun wrongNumbersAreRefused() {
         val eye = Vector3d()
         val target = Vector3d(0.0, 0.0, -1.0)

@@ -102,7 +102,7 @@ class FittedViewpointTest {
     @Test
     fun verticesAreInTheMiddleAndTouchTheMargin() {
         var needles = 0
-        repeat(1000) {
+        repeat(400) {
             val surfaces = List(pick(1, 1, 3)) { surface() }.distinctBy { (_, points) -> points[0].x > 9e4 }
             val points = surfaces.flatMap { it.second }
             val scene = Scene(surfaces.map { it.first })
@@ -113,7 +113,7 @@ class FittedViewpointTest {
             assertFits(viewpoint, scene, points, 1e-9 + 1e-13 * far / size * viewpoint.fieldOfView)
             if (isNeedle(viewpoint.camera(scene, 1.0), points)) needles++
         }
-        assertTrue(needles < 100) { "$needles of 1000 scenes are not checked" }
+        assertTrue(needles < 40) { "$needles of 400 scenes are not checked" }
     }
 
     @Test
@@ -146,20 +146,6 @@ class FittedViewpointTest {
             .withMargin(4.0).withFieldOfView(5.0)
         assertEquals(Camera.fit(1.0, 2.0, 3.0, Fit.ORTHOGRAPHIC, 4.0, 5.0).toString(), changed.toString())
         assertThrows<IllegalArgumentException> { changed.withElevation(91.0) }
-    }
-
-    @Test
-    fun aCubeFillsTheImageExceptForTheMargin() {
-        // Seen from the front, the near face determines both extents
-        val corners = FloatArray(24) { if (it / 3 shr it % 3 and 1 == 0) -1f else 1f }
-        val scene = Scene(listOf(Mesh(corners, intArrayOf(0, 1, 2, 3, 4, 5, 6, 7, 0))))
-        val camera = Camera.fit(0.0, 0.0, margin = 10.0, fieldOfView = 90.0).camera(scene, 2.0)
-        assertEquals(90.0, (camera.projection as Projection.Perspective).verticalFieldOfView)
-        assertEquals(0.0, camera.eye.distance(Vector3d(0.0, 0.0, 1.0 + 1.0 / 0.8)), 1e-12)
-        assertEquals(1.0 / 0.8 - 0.01, camera.near, 1e-9)
-        assertEquals(2.0 + 1.0 / 0.8 + 0.01, camera.far, 1e-9)
-        val flat = Camera.fit(0.0, 0.0, 1.0, Fit.ORTHOGRAPHIC, 10.0).camera(scene, 0.5)
-        assertEquals(5.0, (flat.projection as Projection.Orthographic).height, 1e-12)
     }
 
     /** The picture does not turn on the way to the pole, and stays upright there. */
@@ -197,13 +183,6 @@ class FittedViewpointTest {
         val slope = Math.tan(Math.toRadians(Camera.MAX_FITTED_FIELD_OF_VIEW / 2)) * scaleOf(widest)
         val distance = widest.camera(Scene(listOf(sphere)), 1.0).eye.length()
         assertEquals(1.0, distance * slope / Math.sqrt(1 + slope * slope), 1e-9)
-    }
-
-    @Test
-    fun aNeedleThatPointsToTheEyeIsSeenFromOutside() {
-        val scene = Scene(listOf(Lines(floatArrayOf(0f, 0f, 0f, 0f, 0f, 8f), intArrayOf(0, 1))))
-        val camera = Camera.fit(0.0, 0.0).camera(scene, 1.0)
-        assertTrue(camera.eye.z() > 8.0 && camera.near > 0.0 && camera.near < camera.eye.z() - 8.0, "$camera")
     }
 
     @Test
@@ -266,16 +245,6 @@ class FittedViewpointTest {
                 val found = points.farthest(direction)!!
                 assertEquals(most, direction.x * found.x + direction.y * found.y + direction.z * found.z)
             }
-        }
-    }
-
-    @Test
-    fun theFarthestPointIsThatOfAllVertices() {
-        repeat(200) {
-            val (surface, points) = surface()
-            val direction = Vector3d(random.nextGaussian(), pick(0.0, random.nextGaussian()), random.nextGaussian())
-            val most = points.maxOf { it.dot(direction) }
-            assertEquals(most, surface.farthest(direction)!!.dot(direction), 1e-9 * (1 + Math.abs(most)))
         }
     }
 }

@@ -64,14 +64,6 @@ class StudioTest {
     }
 
     @Test
-    fun lightIsPositiveAndFiniteEverywhere() {
-        for (direction in sphere) {
-            for (alpha in listOf(0.0, 0.3, 1.0)) assertTrue(radiance(direction, alpha) in 0.01..10.0) { "$direction" }
-            assertTrue(irradiance(direction) in 0.1..1.6) { "$direction ${irradiance(direction)}" }
-        }
-    }
-
-    @Test
     fun rule_6_10_theFrontIsOnTheSideOfTheCameraAndTheStudioIsUpright() {
         val up = Vector3d(0.0, 1.0, 0.0)
         fun view(eye: Vector3d, up: Vector3d = Vector3d(0.0, 1.0, 0.0)) =

@@ -4,8 +4,8 @@ import dev.lazyz.Coherence
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.RenderOptions
-import dev.lazyz.pipeline.LayeredFrames
 import dev.lazyz.render
+import dev.lazyz.strategies.AwkwardFrames
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import kotlinx.coroutines.flow.asFlow
 import kotlinx.coroutines.runBlocking
@@ -18,28 +18,13 @@ import org.junit.jupiter.api.Assertions.assertTrue
 
 /** The hybrid's picture is the z-buffer's, for any budget. */
 class HybridProperties {
-    @Property(tries = 600, seed = "20260101", edgeCases = EdgeCasesMode.NONE)
-    fun givesTheZBuffersPictureAndShadesOnlyWhatIsVisible(@ForAll seed: Long) {
-        val frame = LayeredFrames.opaque(seed)
-        val expected = ZBuffer().render(frame)
-        for (coherence in Coherence.entries) {
-            val image = Hybrid(RenderOptions(coherence)).render(frame)
-            assertEquals(expected, image)
-            assertEquals(image.visible.toLong(), image.counters.shadingCalls)
-            assertEquals(image.visible > 0, image.counters.peakSuspensions > 0)
-            assertEquals(expected.counters.fragments, image.counters.fragments)
-            assertEquals(expected.counters.depthPasses, image.counters.depthPasses)
-            assertEquals(expected.counters.primitives, image.counters.primitives)
-        }
-    }
-
     @Property(tries = 600, seed = "20260102", edgeCases = EdgeCasesMode.NONE)
     fun anyBudgetGivesTheSamePictureWithinTheBudget(
         @ForAll seed: Long,
         @ForAll @LongRange(min = 0, max = 5000) budget: Long,
         @ForAll coherence: Coherence,
     ) {
-        val frame = LayeredFrames.opaque(seed)
+        val frame = AwkwardFrames(seed, 24).frame()
         val expected = ZBuffer().render(frame)
         for (bytes in listOf(0L, budget)) {
             val hybrid = Hybrid(RenderOptions(coherence, memoryBudget = bytes))

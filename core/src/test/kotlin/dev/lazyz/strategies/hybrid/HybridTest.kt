@@ -11,7 +11,6 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
-import dev.lazyz.RowSink
 import dev.lazyz.pipeline.Pane
 import dev.lazyz.render
 import dev.lazyz.strategies.zbuffer.ZBuffer
@@ -26,7 +25,6 @@ import kotlinx.coroutines.runBlocking
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.assertThrows
 
 /** Checks the hybrid's promises with its counters. */
 class HybridTest {
@@ -41,14 +39,6 @@ class HybridTest {
     )
 
     private fun tile(column: Int, row: Int) = Region(column, row, column + 2, row + 2)
-
-    @Test
-    fun withoutABudgetOnlyWhatIsVisibleIsShaded() {
-        val counters = Hybrid().render(mosaic).counters
-        assertEquals(raster.size, counters.shadingCalls)
-        assertEquals(raster.size, counters.peakSuspensions)
-        assertEquals(11 * raster.size, counters.depthPasses)
-    }
 
     @Test
     fun lessMemoryMeansMoreShadingAndNeverMoreThanTheBudget() {
@@ -79,14 +69,6 @@ class HybridTest {
         // Of the walls that follow, only the last is shaded
         assertEquals(List(8) { 0 } + raster.size.toInt(), calls.drop(401))
         assertEquals(calls.sum().toLong(), image.counters.shadingCalls)
-    }
-
-    @Test
-    fun withBudgetZeroNothingIsSuspended() {
-        val counters = render(mosaic, 0).counters
-        assertEquals(0, counters.peakSuspensions)
-        assertEquals(imageBytes, counters.peakBytes)
-        assertEquals(ZBuffer().render(mosaic).counters.shadingCalls, counters.shadingCalls)
     }
 
     @Test
@@ -168,17 +150,6 @@ class HybridTest {
         assertTrue(Capability.SHADES_ONLY_VISIBLE !in configured.capabilities)
         assertTrue(Capability.MEMORY_BUDGET in configured.capabilities)
         assertTrue(configured.render(mosaic).counters.peakBytes <= imageBytes + 1000)
-    }
-
-    @Test
-    fun aFlowThatFailsHandsOutNoRow() {
-        val failing = flow<Primitive> {
-            emit(mosaic.primitives[0])
-            error("the flow's own")
-        }
-        val sink = RowSink { _, _, _, _ -> throw AssertionError("a row was handed out") }
-        val error = assertThrows<IllegalStateException> { runBlocking { Hybrid().render(raster, failing, sink) } }
-        assertEquals("the flow's own", error.message)
     }
 
     private fun render(frame: Frame, budget: Long): Image = Hybrid(RenderOptions(memoryBudget = budget)).render(frame)

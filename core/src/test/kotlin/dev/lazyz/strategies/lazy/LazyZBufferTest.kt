@@ -7,11 +7,9 @@ import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
-import dev.lazyz.RowSink
 import dev.lazyz.SampleScenes
 import dev.lazyz.pipeline.PipelineScenes
 import dev.lazyz.pipeline.PipelineScenes.usedBytes
-import dev.lazyz.pipeline.Row
 import dev.lazyz.pipeline.Witness
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.lang.ref.WeakReference
@@ -82,18 +80,6 @@ class LazyZBufferTest {
     }
 
     @Test
-    fun onePixelOfAFrameAsksEachPrimitiveForOneDepth() {
-        val layers = PipelineScenes.layers(raster, 10)
-        val frame = Frame(raster, layers).within(Region(3, 70, 4, 71))
-        val row = renderer.rows(frame).single()
-        row.argb(3)
-        assertTrue(layers.all { it.rows == listOf(70) && it.cursors == listOf(70) && it.depths == 1 })
-        assertEquals(listOf(Pair(3, 70)), layers.flatMap { it.shaded })
-        assertEquals(10, row.counters.depthEvaluations)
-        assertEquals(1, row.counters.shadingCalls)
-    }
-
-    @Test
     fun aStageJoinsAtItsFirstRowAndLeavesAfterItsLast() {
         val early = Witness(Region(0, 0, 8, 30), Depth.NEAR)
         val late = Witness(Region(0, 60, 8, 100), Depth.NEAR)
@@ -110,31 +96,6 @@ class LazyZBufferTest {
         assertEquals(listOf(bytes[0]), bytes.slice((0 until 20) + (50 until 70)).distinct())
         assertEquals(1, bytes.slice(20 until 50).distinct().size)
         assertTrue(bytes[20] < bytes[0])
-    }
-
-    @Test
-    fun stagesRunInSubmissionOrderHoweverTheyJoin() {
-        val random = Random(8)
-        val asked = ArrayList<Pair<Int, Int>>()
-        val primitives = List(60) { index ->
-            val top = random.nextInt(90)
-            Witness(Region(0, top, 8, top + 1 + random.nextInt(100 - top)), Depth.NEAR) { y -> asked += Pair(y, index) }
-        }
-        renderer.render(Frame(raster, primitives))
-        assertEquals(asked.sortedWith(compareBy({ it.first }, { it.second })), asked)
-        assertEquals(primitives.sumOf { it.rowEnd - it.rowStart }, asked.size)
-    }
-
-    @Test
-    fun countedMemoryDoesNotGrowWithTheRows() {
-        val few = renderer.render(PipelineScenes.staircase(Raster(32, 64), 16, 4), RowSink { _, _, _, _ -> })
-        val frame = PipelineScenes.staircase(Raster(32, 65_536), 16, 4)
-        val many = renderer.render(frame, RowSink { _, _, _, _ -> })
-
-        // A thousand times the rows have a thousand times the primitives; except for the sorted list, memory is the
-        // same
-        assertEquals(few.peakBytes - 8 * few.primitives, many.peakBytes - 8 * many.primitives)
-        assertTrue(many.peakBytes - 8 * many.primitives < 5_000) { "$many" }
     }
 
     @Test
@@ -217,14 +178,6 @@ class LazyZBufferTest {
             "counted ${row.counters.peakBytes}, used $used"
         }
         assertTrue(rows.hasNext())
-    }
-
-    @Test
-    fun rowsStayValidWhenLaterOnesArePulled() {
-        val frame = SampleScenes.mixed(Random(3)).frame(Raster(24, 20))
-        val expected = ZBuffer().render(frame)
-        val rows: List<Row> = renderer.rows(frame).toList()
-        for (row in rows) assertEquals(expected.argb.slice(24 * row.y until 24 * row.y + 24), row.argb().toList())
     }
 
     @Test

@@ -9,7 +9,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
 import dev.lazyz.Spans
-import dev.lazyz.pipeline.LayeredFrames
+import dev.lazyz.strategies.AwkwardFrames
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import kotlin.math.abs
 import net.jqwik.api.EdgeCasesMode
@@ -21,27 +21,9 @@ import org.junit.jupiter.api.Assertions.assertTrue
 
 /** Compares the pictures of the selectors with plain lists made in the test. */
 class ListsProperties {
-    @Property(tries = 600, seed = "20260201", edgeCases = EdgeCasesMode.NONE)
-    fun givesTheZBuffersPictureAndShadesOnlyWhatIsVisible(@ForAll seed: Long) {
-        val frame = LayeredFrames.opaque(seed)
-        val expected = ZBuffer().render(frame)
-        for (coherence in Coherence.entries) {
-            val image = Lists(RenderOptions(coherence)).render(frame)
-            assertEquals(expected, image)
-            assertEquals(image.visible.toLong(), image.counters.shadingCalls)
-            assertEquals(expected.counters.fragments, image.counters.fragments)
-            assertEquals(expected.counters.primitives, image.counters.primitives)
-        }
-
-        // If nothing is translucent, blending gives the nearest fragment bit for bit, and costs no more
-        val blended = Lists(RenderOptions(selector = Selector.blend())).render(frame)
-        assertEquals(expected, blended)
-        assertEquals(expected.visible.toLong(), blended.counters.shadingCalls)
-    }
-
     @Property(tries = 300, seed = "20260202", edgeCases = EdgeCasesMode.NONE)
     fun selectorsPickFromTheSortedList(@ForAll seed: Long, @ForAll @IntRange(min = 1, max = 5) k: Int) {
-        val frame = LayeredFrames.opaque(seed)
+        val frame = AwkwardFrames(seed, 24).frame()
         val cells = cells(frame)
         check(frame, cells, Selector.nearest()) { it.first() }
         check(frame, cells, Selector.farthest()) { it.last() }
@@ -61,7 +43,7 @@ class ListsProperties {
 
     @Property(tries = 600, seed = "20260203", edgeCases = EdgeCasesMode.NONE)
     fun rule_5_5_blendingIsTheCompositeInOrderOfDepth(@ForAll seed: Long, @ForAll coherence: Coherence) {
-        val frame = LayeredFrames.translucent(seed)
+        val frame = AwkwardFrames(seed, 24).translucent()
         val image = Lists(RenderOptions(coherence)).render(frame.takeIf { it.hasTranslucency } ?: return)
         val nearest = ZBuffer().render(frame.asOpaque())
         assertTrue(nearest.depth.contentEquals(image.depth) && nearest.primitive.contentEquals(image.primitive))
@@ -75,7 +57,7 @@ class ListsProperties {
 
     @Property(tries = 200, seed = "20260204", edgeCases = EdgeCasesMode.NONE)
     fun rule_5_5_aRegionOfABlendedPictureIsThatPartOfTheWhole(@ForAll seed: Long) {
-        val frame = LayeredFrames.translucent(seed)
+        val frame = AwkwardFrames(seed, 24).translucent()
         val whole = Lists().render(Frame(frame.raster, frame.primitives))
         val part = Lists(RenderOptions(selector = if (frame.hasTranslucency) Selector.blend() else null)).render(frame)
         for (y in frame.region.rowStart until frame.region.rowEnd) {

@@ -10,7 +10,6 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
-import dev.lazyz.RowSink
 import dev.lazyz.Selector
 import dev.lazyz.pipeline.Pane
 import dev.lazyz.strategies.zbuffer.ZBuffer
@@ -53,23 +52,6 @@ class ListsTest {
     }
 
     @Test
-    fun rule_5_5_theOrderOfSubmissionDoesNotMatterWithoutTies() {
-        val layers = listOf(layer(1, red), layer(2, green), layer(3, blue), layer(4, grey))
-        val expected = Lists().render(Frame(raster, layers)).argb.toList()
-        val all = permutations(layers)
-        assertEquals(24, all.size)
-        for (order in all) assertEquals(expected, Lists().render(Frame(raster, order)).argb.toList())
-    }
-
-    @Test
-    fun rule_5_5_tiesBlendTheFirstSubmittedInFront() {
-        val inOrder = Lists().render(frame(layer(1, red), layer(1, blue))).argb(0, 0)
-        assertEquals(Lists().render(frame(layer(1, red), layer(2, blue))).argb(0, 0), inOrder)
-        val reversed = Lists().render(frame(layer(1, blue), layer(1, red))).argb(0, 0)
-        assertEquals(Lists().render(frame(layer(2, red), layer(1, blue))).argb(0, 0), reversed)
-    }
-
-    @Test
     fun rule_5_5_interpenetratingTranslucentSurfacesBlendPerSample() {
         val glass = Material(Rgba(0.2f, 0.9f, 0.4f, 0.4f), alphaMode = AlphaMode.BLEND, specular = Rgba.WHITE)
         val random = Random(7)
@@ -95,16 +77,6 @@ class ListsTest {
         val image = Lists().render(frame(hidden, wall, layer(1, red)))
         assertEquals(0, hidden.shadingCalls)
         assertEquals(Rgba(0.5f / 0.875f, 0f, 0.375f / 0.875f, 0.875f).toArgb(), image.argb(0, 0))
-    }
-
-    @Test
-    fun opaqueFragmentsEndTheList() {
-        val hidden = layer(4, blue)
-        val wall = layer(3, grey)
-        val image = Lists().render(frame(hidden, wall, layer(1, red)))
-        assertEquals(0, hidden.shadingCalls)
-        assertEquals(raster.size.toInt(), wall.shadingCalls)
-        assertEquals(2 * raster.size, image.counters.shadingCalls)
     }
 
     @Test
@@ -172,27 +144,12 @@ class ListsTest {
     }
 
     @Test
-    fun memoryIsARowsAndNotTheImages() {
-        val small = bytes(64)
-        assertEquals(small, bytes(16_384))
-        assertTrue(small < 64 * 32 + 4000) { "$small bytes" }
-    }
-
-    @Test
     fun primitivesLeaveAfterTheirLastRow() {
         // One primitive a row: at most one is active at a time, so only the list of arrivals grows
         val tall = Raster(4, 3000)
         val frame = Frame(tall, List(3000) { Pane(Region(0, it, 4, it + 1), depth(1), grey) })
         val few = Lists().render(Frame(tall, frame.primitives.take(10))).counters.peakBytes
         assertEquals(few + 8 * 2990, Lists().render(frame).counters.peakBytes)
-    }
-
-    @Test
-    fun rowsAreHandedOutBeforeLaterOnesAreBegun() {
-        val pane = layer(1, grey)
-        val rows = ArrayList<Int>()
-        Lists().render(frame(pane), RowSink { y, _, _, _ -> rows.add(y).also { assertEquals(y, pane.lastRow) } })
-        assertEquals((0 until 6).toList(), rows)
     }
 
     @Test
@@ -220,13 +177,6 @@ class ListsTest {
     private fun layer(level: Int, color: Rgba) = Pane(raster.region, depth(level), color)
 
     private fun frame(vararg primitives: Primitive) = Frame(raster, primitives.toList())
-
-    private fun bytes(height: Int): Long {
-        val raster = Raster(16, height)
-        val frame = Frame(raster, List(4) { Pane(raster.region, depth(it), red) })
-        val sink = RowSink { _, _, _, _ -> }
-        return Lists().render(frame, sink).peakBytes
-    }
 
     private fun <T> permutations(items: List<T>): List<List<T>> = if (items.isEmpty()) {
         listOf(emptyList())

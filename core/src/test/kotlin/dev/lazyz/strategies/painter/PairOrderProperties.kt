@@ -3,7 +3,7 @@ package dev.lazyz.strategies.painter
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Spans
-import dev.lazyz.strategies.scanline.AwkwardFrames
+import dev.lazyz.strategies.AwkwardFrames
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -12,13 +12,13 @@ import org.junit.jupiter.api.Assertions.assertTrue
 class PairOrderProperties {
     @Property(tries = 1000, seed = "1972")
     fun whatIsProvedHoldsAtEverySharedSample(@ForAll seed: Long) {
-        val frame = AwkwardFrames(seed).frame()
+        val frame = AwkwardFrames(seed, 40).frame()
         val pairs = PairOrder(frame, Counters.Builder())
         val keys = frame.primitives.indices.map { keys(frame, it) }
         for (a in keys.indices) {
             for (b in keys.indices - a) {
                 val shared = keys[a].keys intersect keys[b].keys
-                val where = "AwkwardFrames($seed).frame(), primitives $a and $b"
+                val where = "AwkwardFrames($seed, 40).frame(), primitives $a and $b"
                 if (pairs.isApart(a, b)) assertTrue(shared.isEmpty(), where)
                 if (!pairs.isBefore(a, b)) continue
                 for (sample in shared) assertTrue(keys[a][sample]!! < keys[b][sample]!!, where)
@@ -28,7 +28,7 @@ class PairOrderProperties {
 
     @Property(tries = 1000, seed = "1979")
     fun anOutlineIsTheHullOfTheSamples(@ForAll seed: Long) {
-        val frame = AwkwardFrames(seed).frame()
+        val frame = AwkwardFrames(seed, 40).frame()
         for (index in frame.primitives.indices) {
             val samples = keys(frame, index).keys
             val outline = Outline.of(frame.primitives[index], frame.region)

@@ -1,13 +1,16 @@
 package dev.lazyz.strategies.scanline
 
 import dev.lazyz.Counters
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.strategies.AwkwardFrames
+import dev.lazyz.strategies.Stacks
+import dev.lazyz.strategies.Submission
+import dev.lazyz.strategies.Weave
 import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.FrameBuilder
@@ -26,37 +29,17 @@ class ScanLineTest {
     @Test
     fun layersApartInDepthCostNoComparison() {
         // Only the depths of the output are evaluated
-        val counters = counted(City.layers(Raster(256, 64), 100, steepness = 0.5))
+        val counters = counted(Stacks.layers(Raster(256, 64), 100, Submission.BACK_TO_FRONT))
         assertEquals(100L * 256 * 64, counters.fragments)
         assertEquals(256L * 64, counters.depthEvaluations)
     }
 
     @Test
     fun layersThatOverlapInDepthAreComparedOnceARow() {
-        val counters = counted(City.layers(Raster(256, 64), 100, steepness = 20.0))
+        val counters = counted(Stacks.layers(Raster(256, 64), 100, Submission.BACK_TO_FRONT, steepness = 20.0))
         assertEquals(100L * 256 * 64, counters.fragments)
         val perFragment = counters.depthEvaluations.toDouble() / counters.fragments
         assertTrue(perFragment < 0.03, "$perFragment depth evaluations a fragment")
-    }
-
-    @Test
-    fun aCityCostsFewerDepthsThanFragments() {
-        val counters = counted(City.frame(640, 360, blocks = 16))
-        val perFragment = counters.depthEvaluations.toDouble() / counters.fragments
-        val overdraw = counters.fragments.toDouble() / counters.shadingCalls
-        assertTrue(overdraw > 6, "overdraw $overdraw")
-        assertTrue(perFragment < 0.25, "$perFragment depth evaluations a fragment, overdraw $overdraw")
-    }
-
-    @Test
-    fun whereTwoSurfacesCrossOnlyTheCrossingIsComparedBySamples() {
-        val counters = counted(
-            FrameBuilder(Raster(1000, 10))
-                .polygon(Rgba.BLACK, doubleArrayOf(0.0, 0.0, 0.2, 1000.0, 0.0, 0.8, 1000.0, 10.0, 0.8, 0.0, 10.0, 0.2))
-                .polygon(Rgba.BLACK, doubleArrayOf(0.0, 0.0, 0.7, 1000.0, 0.0, 0.3, 1000.0, 10.0, 0.3, 0.0, 10.0, 0.7))
-                .build(),
-        )
-        assertTrue(counters.depthEvaluations - 10_000 <= 10 * 12, "${counters.depthEvaluations - 10_000}")
     }
 
     @Test
@@ -86,7 +69,7 @@ class ScanLineTest {
     @Test
     fun whatIsHiddenAndHasNoLinearDepthIsNotEvaluated() {
         val builder = FrameBuilder(Raster(64, 64))
-        for (seed in 0 until 30) builder.add(Ripple(seed, 64, 64, isLoose = false))
+        for (seed in 0 until 30) builder.add(Weave(seed, 64, 64, isLoose = false))
         val wall = doubleArrayOf(0.0, 0.0, 0.1, 64.0, 0.0, 0.2, 64.0, 64.0, 0.1, 0.0, 64.0, 0.0)
         val counters = counted(builder.polygon(Rgba.BLACK, wall).build())
         assertTrue(counters.fragments > 10 * 64 * 64)
@@ -141,17 +124,9 @@ class ScanLineTest {
     }
 
     @Test
-    fun memoryDoesNotGrowWithRows() {
-        val few = ScanLine().render(City.layers(Raster(64, 64), 50, 3.0)) { _, _, _, _ -> }
-        val many = ScanLine().render(City.layers(Raster(64, 65_536), 50, 3.0)) { _, _, _, _ -> }
-        assertEquals(few.peakBytes, many.peakBytes)
-        assertEquals(64L, many.peakSuspensions)
-    }
-
-    @Test
     fun numbersOfSpansAreUsedAgain() {
         val height = 10_000
-        val comb = object : Primitive by Ripple(0, 64, height, isLoose = true) {
+        val comb = object : Primitive by Weave(0, 64, height, isLoose = true) {
             override fun spans(y: Int, spans: Spans) {
                 for (i in 0 until y % 7) spans.add(4 * i, 4 * i + 2)
             }
@@ -172,32 +147,6 @@ class ScanLineTest {
     }
 
     @Test
-    fun aRowIsHandedOutBeforeTheNextIsBegun() {
-        var asked = -1
-        val probe = object : Primitive {
-            override val rowStart: Int get() = 0
-            override val rowEnd: Int get() = 8
-            override val columnStart: Int get() = 0
-            override val columnEnd: Int get() = 1
-
-            override fun spans(y: Int, spans: Spans) {
-                asked = y
-                spans.add(0, 1)
-            }
-
-            override fun depth(x: Int, y: Int): Int = 1
-
-            override fun shade(fragment: Fragment): Unit = fragment.setColor(1f, 1f, 1f)
-        }
-        var rows = 0
-        ScanLine().render(FrameBuilder(Raster(3, 8)).add(probe).build()) { y, _, _, _ ->
-            assertEquals(y, asked)
-            rows++
-        }
-        assertEquals(8, rows)
-    }
-
-    @Test
     fun edgesAreInOrderOnEveryRow() {
         for (seed in 0L until 200L) {
             val frame = AwkwardFrames(seed).frame()
@@ -212,10 +161,5 @@ class ScanLineTest {
                 assertEquals(expected, (0 until edges.count).map { edges.column(it) })
             }
         }
-    }
-
-    @Test
-    fun anEmptyFrameIsBackground() {
-        assertEquals(0, counted(FrameBuilder(Raster(5, 4)).build()).depthEvaluations)
     }
 }

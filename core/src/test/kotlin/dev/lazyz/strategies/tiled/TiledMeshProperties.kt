@@ -90,16 +90,6 @@ class TiledMeshProperties {
     }
 
     @Property(tries = 100, seed = "1995", edgeCases = EdgeCasesMode.NONE)
-    fun aBlockIsTheSameForAllKernels(@ForAll seed: Long) {
-        // There is one, if the module jdk.incubator.vector is missing, or vectors are short
-        if (kernels().size == 1) return
-        val frame = frame(Random(seed))
-        val (scalar, vector) = kernels().values.map { Tiled(Coherence.DIRECT, 1, 64, it).render(frame) }
-        assertEquals(scalar, vector)
-        assertEquals(work(scalar.counters), work(vector.counters))
-    }
-
-    @Property(tries = 100, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_whatARendererHasRenderedBeforeChangesNothing(@ForAll seed: Long) {
         val random = Random(seed)
         val frame = frame(random)

@@ -1,13 +1,13 @@
 package dev.lazyz.strategies.tiled
 
 import dev.lazyz.Coherence
-import dev.lazyz.Depth
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
+import dev.lazyz.strategies.AwkwardFrames
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.FrameBuilder
 import java.util.concurrent.Callable
@@ -56,15 +56,6 @@ class TiledTest {
     }
 
     @Test
-    fun whatIsBehindTheBackgroundIsRejected() {
-        val raster = Raster(40, 40, backgroundDepth = Depth.ofUnit(0.3))
-        val wall = doubleArrayOf(0.0, 0.0, 0.5, 40.0, 0.0, 0.5, 40.0, 40.0, 0.5, 0.0, 40.0, 0.5)
-        val counters = tiled(1).render(FrameBuilder(raster).polygon(Rgba.BLACK, wall).build()).counters
-        assertEquals(0, counters.fragments)
-        assertEquals(0, counters.depthEvaluations)
-    }
-
-    @Test
     fun aRowIsScannedOnceForAllTiles() {
         for (threads in listOf(1, 4)) {
             val wide = Probe(Region(3, 5, 97, 49))
@@ -73,17 +64,6 @@ class TiledTest {
             assertEquals((5 until 49).toList(), wide.rows.sorted())
             assertEquals((2 until 50).toList(), narrow.rows.sorted())
         }
-    }
-
-    @Test
-    fun rowsReachTheSinkInOrderOnTheCallingThread() {
-        val caller = Thread.currentThread()
-        val rows = ArrayList<Int>()
-        tiled(4, tileSize = 8).render(layers(3)) { y, _, _, _ ->
-            assertEquals(caller, Thread.currentThread())
-            rows += y
-        }
-        assertEquals((0 until 50).toList(), rows)
     }
 
     @Test
@@ -112,7 +92,7 @@ class TiledTest {
     @Test
     fun severalThreadsUseOneRendererAtOnce() {
         val renderer = tiled(3)
-        val frames = List(6) { TileFrames(it.toLong()).next() }
+        val frames = List(6) { AwkwardFrames(it.toLong()).frame() }
         val expected = frames.map { ZBuffer().render(it) }
         val threads = Executors.newFixedThreadPool(6)
         try {

@@ -11,7 +11,6 @@ import dev.lazyz.Spans
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.CyclicBarrier
 import java.util.concurrent.Executor
-import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.LockSupport
 import org.junit.jupiter.api.AfterEach
@@ -64,24 +63,6 @@ class TiledThreadsTest {
     }
 
     @Test
-    fun anExceptionInAShaderReachesTheCaller() {
-        for (threads in listOf(1, 2, 8)) {
-            val exception = IllegalStateException("shader")
-            val thrown = assertThrows(IllegalStateException::class.java) {
-                tiled(threads).render(frame { x, y -> if (x == 40 && y == 40) throw exception })
-            }
-            assertSame(exception, thrown)
-        }
-    }
-
-    @Test
-    fun anErrorThatAllThreadsThrowReachesTheCallerOnce() {
-        val error = StackOverflowError()
-        val thrown = assertThrows(StackOverflowError::class.java) { tiled(4).render(frame { _, _ -> throw error }) }
-        assertSame(error, thrown)
-    }
-
-    @Test
     fun anExceptionInAPrimitiveReachesTheCaller() {
         val exception = UnsupportedOperationException("spans")
         val broken = object : Primitive {
@@ -120,52 +101,6 @@ class TiledThreadsTest {
     }
 
     @Test
-    fun aSleepingThreadIsWokenUpWhenAnotherFails() {
-        val asleep = CountDownLatch(1)
-        val exception = IllegalStateException("awake")
-        val thrown = assertThrows(IllegalStateException::class.java) {
-            tiled(2).render(
-                frame { x, y ->
-                    val isCaller = !Thread.currentThread().name.startsWith("lazyz-")
-                    if (isCaller) {
-                        asleep.await()
-                        throw exception
-                    }
-                    if (x >= 0 && y >= 0) {
-                        asleep.countDown()
-                        Thread.sleep(600_000)
-                    }
-                },
-            )
-        }
-        assertSame(exception, thrown)
-        assertEquals(0, thrown.suppressed.size)
-    }
-
-    @Test
-    fun anExceptionIsThrownWhenAllThreadsHaveEnded() {
-        val caller = Thread.currentThread()
-        val begun = CountDownLatch(1)
-        assertThrows(IllegalStateException::class.java) {
-            tiled(2).render(
-                frame { _, _ ->
-                    if (Thread.currentThread() === caller) {
-                        begun.await()
-                        error("caller")
-                    }
-
-                    // Longer than it takes to list the threads, even if interrupted
-                    val pause = if (begun.count == 0L) 0L else TimeUnit.MILLISECONDS.toNanos(300)
-                    begun.countDown()
-                    val end = System.nanoTime() + pause
-                    while (System.nanoTime() < end) Thread.onSpinWait()
-                },
-            )
-        }
-        noThreadIsLeft()
-    }
-
-    @Test
     fun interruptingTheCallerStopsAllThreads() {
         for (threads in listOf(1, 3)) {
             val caller = Thread.currentThread()
@@ -187,62 +122,6 @@ class TiledThreadsTest {
             assertTrue(rows.get() <= 16) { "$rows rows were handed out" }
             assertTrue(shadedAfter.get() <= 64 * 16) { "$shadedAfter samples were shaded" }
             assertFalse(Thread.interrupted())
-        }
-    }
-
-    @Test
-    fun interruptingAWaitingCallerWakesItUp() {
-        // One tile, which a worker delays; the caller waits for it
-        val caller = Thread.currentThread()
-        assertThrows(InterruptedException::class.java) {
-            tiled(2).render(
-                Frame(
-                    Raster(32, 16),
-                    listOf(
-                        Probe(Region(0, 0, 32, 16)) { _, _ ->
-                            if (Thread.currentThread() !== caller) {
-                                Thread.sleep(50)
-                                caller.interrupt()
-                                Thread.sleep(600_000)
-                            }
-                            Thread.sleep(1)
-                        },
-                    ),
-                ),
-            )
-        }
-    }
-
-    @Test
-    fun anInterruptionIsNotLostOnAnotherFailure() {
-        val caller = Thread.currentThread()
-        val begun = CountDownLatch(1)
-        val failed = CountDownLatch(1)
-        assertThrows(IllegalStateException::class.java) {
-            tiled(2).render(
-                frame { _, _ ->
-                    if (Thread.currentThread() === caller) {
-                        begun.countDown()
-                        failed.await()
-                        Thread.sleep(50)
-                        caller.interrupt()
-                        Thread.sleep(1)
-                    } else {
-                        begun.await()
-                        failed.countDown()
-                        error("worker")
-                    }
-                },
-            )
-        }
-        assertTrue(Thread.interrupted())
-    }
-
-    @Test
-    fun whoIsInterruptedBeforehandGetsNoRow() {
-        Thread.currentThread().interrupt()
-        assertThrows(InterruptedException::class.java) {
-            tiled(2).render(frame { _, _ -> }) { _, _, _, _ -> error("a row") }
         }
     }
 

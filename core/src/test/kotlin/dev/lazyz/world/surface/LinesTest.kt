@@ -127,44 +127,6 @@ class LinesTest {
         }
     }
 
-    @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
-    fun rule_2_10_aLineOfAPixelHasNoGaps(@ForAll random: Random) {
-        // Not on the border of two pixels, which belongs to the pixel above or to the left
-        val (x0, x1) = List(2) { random.nextInt(24) + (1 + random.nextInt(255)) / 256.0 }
-        val (y0, y1) = List(2) { random.nextInt(18) + (1 + random.nextInt(255)) / 256.0 }
-        val samples = line(Vector3d(x0, y0, 0.5), Vector3d(x1, y1, 0.5), 0.5).samples(raster)
-        assertTrue(samples[x0.toInt(), y0.toInt()] && samples[x1.toInt(), y1.toInt()]) { "$x0 $y0 $x1 $y1 $samples" }
-        val isFlat = Math.abs(x1 - x0) > Math.abs(y1 - y0)
-        if (isFlat) {
-            for (x in minOf(x0, x1).toInt()..maxOf(x0, x1).toInt()) {
-                assertTrue((0 until 18).count { samples[x, it] } in 1..2) { "$x: $samples" }
-            }
-        } else {
-            for (y in minOf(y0, y1).toInt()..maxOf(y0, y1).toInt()) {
-                assertTrue((0 until 24).count { samples[it, y] } in 1..2) { "$y: $samples" }
-            }
-        }
-    }
-
-    @Test
-    fun rule_2_10_aLineWithoutLengthIsAPoint() {
-        val at = Vector3d(5.3, 7.9, 0.5)
-        for (width in listOf(0.5, 1.0, 2.5, 4.0)) {
-            val point = onScreen.points(Points(floatArrayOf(5.3f, 7.9f, 0.5f), width)).single()
-            assertEquals(point.samples(raster), line(at, at, width).samples(raster))
-        }
-    }
-
-    @Test
-    fun rule_2_10_aTurnedLineIsTheSameLine() {
-        val random = Random(7)
-        repeat(200) {
-            val (a, b) = List(2) { Vector3d(random.nextDouble() * 24, random.nextDouble() * 18, random.nextDouble()) }
-            val width = 0.5 + 4 * random.nextDouble()
-            assertEquals(line(a, b, width).samples(raster), line(b, a, width).samples(raster))
-        }
-    }
-
     @Test
     fun rule_9_7_aLineIsCutAtThePlanesBeforeItIsWidened() {
         // From z = -1 to 1 in screen space: half of it is in front of the near plane, and the cut is at its centre

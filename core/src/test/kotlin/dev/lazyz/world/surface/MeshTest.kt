@@ -1,6 +1,7 @@
 package dev.lazyz.world.surface
 
 import dev.lazyz.SampleScenes
+import dev.lazyz.drawing.Solids
 import dev.lazyz.geometry.Box
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Scene
@@ -25,88 +26,6 @@ class MeshTest {
         return b.sub(a).cross(c.sub(a)).normalize()
     }
 
-    /** A cube of 12 triangles around the origin; 8 shared vertices. */
-    private fun cube(): Mesh {
-        val positions = FloatArray(24) { i -> if ((i / 3) shr (i % 3) and 1 == 0) -1f else 1f }
-        val quads = listOf(
-            listOf(0, 2, 3, 1), listOf(4, 5, 7, 6), listOf(0, 1, 5, 4),
-            listOf(2, 6, 7, 3), listOf(0, 4, 6, 2), listOf(1, 3, 7, 5),
-        )
-        return Mesh(positions, quads.flatMap { listOf(it[0], it[1], it[2], it[0], it[2], it[3]) }.toIntArray())
-    }
-
-    /**
-     * A sphere of [rings] rings from pole to pole, with twice as many faces around; vertices at poles and seam are
-     * duplicated.
-     */
-    private fun globe(rings: Int): Mesh {
-        val positions = ArrayList<Float>()
-        for (i in 0..rings) {
-            for (j in 0..2 * rings) {
-                val polar = StrictMath.PI * i / rings
-                val around = StrictMath.PI * (j % (2 * rings)) / rings
-                val radius = if (i == 0 || i == rings) 0.0 else StrictMath.sin(polar)
-                positions += (radius * StrictMath.sin(around)).toFloat()
-                positions += StrictMath.cos(polar).toFloat()
-                positions += (radius * StrictMath.cos(around)).toFloat()
-            }
-        }
-        val triangles = ArrayList<Int>()
-        val row = 2 * rings + 1
-        for (i in 0 until rings) {
-            for (j in 0 until 2 * rings) {
-                val a = i * row + j
-                triangles += listOf(a, a + row, a + row + 1, a, a + row + 1, a + 1)
-            }
-        }
-        return Mesh(positions.toFloatArray(), triangles.toIntArray())
-    }
-
-    @Test
-    fun facesOfTheTestCubePointOutward() {
-        for (i in 0 until 12) {
-            val center = List(3) { point(cube().positions, cube().triangles[3 * i + it]) }.reduce { a, b -> a.add(b) }
-            assertTrue(faceNormal(cube(), i).dot(center) > 0)
-        }
-    }
-
-    @Test
-    fun smoothNormalsKeepACubesCreases() {
-        val smooth = cube().withSmoothNormals()
-        assertEquals(24, smooth.vertexCount)
-        assertEquals(12, smooth.triangleCount)
-        for (corner in smooth.triangles.indices) {
-            val normal = point(smooth.normals!!, smooth.triangles[corner])
-            assertEquals(0.0, normal.distance(faceNormal(cube(), corner / 3)), 1e-6)
-            assertEquals(
-                point(cube().positions, cube().triangles[corner]), point(smooth.positions, smooth.triangles[corner]),
-            )
-        }
-    }
-
-    @Test
-    fun smoothNormalsOfAWideAngleAreShared() {
-        val smooth = cube().withSmoothNormals(100.0)
-        assertEquals(8, smooth.vertexCount)
-        for (i in 0 until 8) {
-            val normal = point(smooth.normals!!, i)
-            assertEquals(1.0, normal.length(), 1e-6)
-            assertTrue(normal.dot(point(smooth.positions, i)) > 1)
-        }
-    }
-
-    @Test
-    fun smoothNormalsOfAGlobeAreRadial() {
-        val smooth = globe(24).withSmoothNormals()
-        for (i in 0 until smooth.vertexCount) {
-            val normal = point(smooth.normals!!, i)
-            if (normal.length() == 0.0) continue
-            val cosine = normal.dot(point(smooth.positions, i).normalize())
-            val degrees = Math.toDegrees(StrictMath.acos(minOf(1.0, cosine)))
-            assertTrue(degrees < 3) { "vertex $i is off by $degrees degrees" }
-        }
-    }
-
     @Test
     fun smoothNormalsKeepAttributes() {
         val random = Random(2)
@@ -129,7 +48,7 @@ class MeshTest {
             val matrix = Matrix4d()
             for (column in 0 until 4) for (row in 0 until 3) matrix.set(column, row, random.nextDouble() * 4 - 2)
             if (Math.abs(matrix.determinant()) < 0.1) return@repeat
-            val moved = cube().withSmoothNormals().transformed(matrix)
+            val moved = Solids.cube().withSmoothNormals().transformed(matrix)
             for (i in 0 until 12) {
                 val face = faceNormal(moved, i)
                 for (k in 0 until 3) {

@@ -11,7 +11,6 @@ import dev.lazyz.samples
 import dev.lazyz.samplesByCursor
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
-import dev.lazyz.world.Scene
 import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Shading
@@ -56,15 +55,6 @@ class PointsTest {
         }
     }
 
-    @Property(seed = "1995", tries = 200, edgeCases = EdgeCasesMode.NONE)
-    fun rule_2_9_aPointOfAPixelOrLessHasOneSample(@ForAll random: Random) {
-        val x = random.nextDouble() * 16
-        val y = random.nextDouble() * 12
-        val size = 1e-9 + random.nextDouble()
-        val primitive = point(minOf(x, 15.99), minOf(y, 11.99), 0.5, size)
-        assertEquals(1, primitive.samples(raster).size) { "$x, $y" }
-    }
-
     @Test
     fun rule_2_9_aPointOutsideThePlanesCoversNothing() {
         assertEquals(1, point(3.5, 3.5, 0.0, 1.0).samples(raster).size)
@@ -74,12 +64,6 @@ class PointsTest {
         assertEquals(0, point(3.5, Double.NaN, 0.5, 1.0).samples(raster).size)
         assertEquals(0, point(Double.POSITIVE_INFINITY, 3.5, 0.5, 1.0).samples(raster).size)
         assertEquals(0, point(1e30, 3.5, 0.5, 1.0).samples(raster).size)
-    }
-
-    @Test
-    fun rule_2_9_aPointBesideTheRasterReachesIntoIt() {
-        assertEquals(2 * 4, point(-1.0, 1.0, 0.5, 6.0).samples(raster).size)
-        assertEquals(0, point(-3.0, 1.0, 0.5, 6.0).samples(raster).size)
     }
 
     @Test
@@ -148,13 +132,6 @@ class PointsTest {
             listOf(false, false),
             onScreen.points(Points(positions, 1.0, textured)).map { it.isTranslucent }.toList(),
         )
-    }
-
-    @Test
-    fun everyPointHasAnIndexWhateverTheCameraSees() {
-        val positions = floatArrayOf(3f, 3f, 0.5f, 3f, 3f, 5f, Float.NaN, 3f, 0.5f, 1000f, 3f, 0.5f)
-        val frame = Scene(listOf(Points(positions)), viewpoint = Camera.screen()).frame(raster)
-        assertEquals(4, frame.primitives.size)
     }
 
     @Test

@@ -14,7 +14,6 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import org.joml.Matrix4d
 import org.joml.Vector3d
-import org.joml.Vector3dc
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -37,21 +36,7 @@ class SurfaceNamesTest {
         Points(positions, name = "cloud"),
         Lines(positions, intArrayOf(0, 1, 2, 3), name = "wire"),
     )
-    private val streamed = StreamedMesh(OnePart(mesh), name = "scan")
-
-    /** A mesh as a source of one part. */
-    private class OnePart(private val mesh: Mesh) : MeshSource {
-        override val triangleCount: Int get() = mesh.triangleCount
-        override val hasColors: Boolean get() = false
-        override val partCount: Int get() = 1
-        override val origin: Vector3dc get() = mesh.origin
-
-        override fun triangleCount(number: Int): Int = mesh.triangleCount
-
-        override fun bounds(number: Int) = mesh.bounds
-
-        override fun read(first: Int, count: Int): Mesh = mesh
-    }
+    private val streamed = StreamedMesh(Pieces(mesh, mesh.triangleCount), name = "scan")
 
     private fun assertKept(change: (Surface) -> Surface, surfaces: List<Surface> = all + streamed) =
         assertEquals(surfaces.map { it.name }, surfaces.map { change(it).name })

@@ -10,39 +10,10 @@ import dev.lazyz.world.material.Material
 import java.lang.management.ManagementFactory
 import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNotSame
-import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class ArrayPoolTest {
-    private val pool = ArrayPool()
-
-    @Test
-    fun aReleasedArrayIsLentAgainToWhoeverWantsItsSize() {
-        val ints = pool.ints(100)
-        val longs = pool.longs(100)
-        assertNotSame(ints, pool.ints(100))
-        pool.release(ints)
-        pool.release(longs)
-        assertEquals(99, pool.ints(99).size)
-        assertSame(ints, pool.ints(100))
-        assertSame(longs, pool.longs(100))
-        assertNotSame(ints, pool.ints(100))
-    }
-
-    @Test
-    fun whatARenderingDidNotNeedIsForgotten() {
-        val two = List(2) { pool.ints(8) }
-        two.forEach(pool::release)
-        pool.begin()
-        val needed = pool.ints(8)
-        pool.release(needed)
-        pool.begin()
-        assertSame(needed, pool.ints(8))
-        assertTrue(two.none { it === pool.ints(8) })
-    }
-
     @Test
     fun roomySizesAreFewAndNotMuchTooLarge() {
         val sizes = HashSet<Int>()

@@ -41,12 +41,6 @@ class NearToFarTest {
     }
 
     @Test
-    fun keysOfOneBucketKeepTheirOrder() {
-        val far = 1L shl 40
-        assertEquals(listOf(3L, 1L, 2L, far), sorted(longArrayOf(3, 1, far, 2)))
-    }
-
-    @Test
     fun bytesAreThoseOfTheKeysTwiceAndOfTheBuckets() {
         val order = NearToFar()
         assertEquals(8L * 2 * 64 + 4 * 257, order.bytes)

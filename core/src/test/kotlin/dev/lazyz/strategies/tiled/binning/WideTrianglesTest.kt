@@ -6,7 +6,6 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.samples
 import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.tiled.raster.TileGrid
@@ -17,7 +16,6 @@ import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Mesh
-import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -105,38 +103,6 @@ class WideTrianglesTest {
             }
             assertEquals(tiles, entries(walls(test, 0, 3, 6, 9, 1000, FAR), tileSize))
         }
-    }
-
-    @ParameterizedTest
-    @EnumSource
-    fun rule_4_4_keysOfATriangleAreBetweenItsNearestAndFarthest(test: DepthTest) {
-        val random = Random(1993)
-        val positions = FloatArray(9 * 200) { (random.nextFloat() * 2 - 1) * if (it % 3 == 2) 3f else 1.5f }
-        val frame = frame(test, positions)
-        val batch = frame.content.triangleBatch(0)
-        val forms = TriangleForms(test)
-        var samples = 0
-        for (triangle in 0 until batch.count) {
-            val depths = List(3) { depth(frame, triangle, it) }
-            val (first, last) = if (test.isGreatest()) {
-                Pair(depths.max() + 1, depths.min() - 1)
-            } else {
-                Pair(depths.min() - 1, depths.max() + 1)
-            }
-            assertEquals(test.key(first, triangle), forms.nearest(batch, triangle))
-            assertEquals(test.key(last, triangle), forms.farthest(batch, triangle))
-            forms.depth(batch, triangle)
-            assertEquals(test.key(first, triangle), forms.nearest)
-            val covered = frame.primitives[triangle].samples(frame.raster)
-            for (y in 0 until SIDE) {
-                for (x in 0 until SIDE) {
-                    if (!covered[x, y]) continue
-                    samples++
-                    assertTrue(forms.keyAt(x, y) in test.key(first, triangle)..test.key(last, triangle))
-                }
-            }
-        }
-        assertTrue(samples > 10_000) { "$samples" }
     }
 
     private companion object {

@@ -1,4 +1,4 @@
-package dev.lazyz.strategies.warnock
+package dev.lazyz.strategies
 
 import dev.lazyz.Frame
 import dev.lazyz.Raster
@@ -10,6 +10,8 @@ import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Shading
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Vertex
+import kotlin.random.Random
+import org.joml.Vector3d
 
 /** The order in which layers are submitted. */
 internal enum class Submission {
@@ -26,7 +28,7 @@ internal enum class Submission {
     }
 }
 
-/** Frames of many overlapping layers. */
+/** Frames of high depth complexity, for tests of counters. */
 internal object Stacks {
     /**
      * [count] layers over the whole raster, each as steep as [steepness] layers: above 1, their extents of depth
@@ -61,5 +63,45 @@ internal object Stacks {
             builder.add(Polygon(listOf(corners), Material(shading = Shading.CONSTANT)))
         }
         return builder.viewpoint(Camera.fit(azimuth = 20.0, elevation = 48.0)).build().frame(width, height)
+    }
+
+    /** [blocks] x [blocks] houses of five walls each on a ground, seen from a street at their height. */
+    fun city(width: Int, height: Int, blocks: Int): Frame {
+        val random = Random(12)
+        val side = blocks * 2.0
+        val builder = Scene.builder()
+        fun face(vararg places: Double) {
+            val corners = places.toList().chunked(3).map { (x, y, z) -> Vertex(x, y, z) }
+            builder.add(Polygon(listOf(corners), Material(shading = Shading.CONSTANT)))
+        }
+        face(0.0, 0.0, 0.0, 0.0, 0.0, side, side, 0.0, side, side, 0.0, 0.0)
+        for (block in 0 until blocks * blocks) {
+            val x = block / blocks * 2 + 0.3
+            val z = block % blocks * 2 + 0.3
+            val top = random.nextDouble(1.0, 4.0)
+            val corners = listOf(x to z, x + 1.4 to z, x + 1.4 to z + 1.4, x to z + 1.4)
+            for ((i, from) in corners.withIndex()) {
+                val to = corners[(i + 1) % 4]
+                face(
+                    from.first, 0.0, from.second, to.first, 0.0, to.second, to.first, top, to.second,
+                    from.first, top, from.second,
+                )
+            }
+            face(*corners.flatMap { (x, z) -> listOf(x, top, z) }.toDoubleArray())
+        }
+        val eye = Vector3d(-3.0, 3.0, -4.0)
+        val target = Vector3d(side / 2, 1.0, side / 2)
+        builder.viewpoint(Camera.perspective(eye, target, Vector3d(0.0, 1.0, 0.0), 50.0, 0.5, 4 * side))
+        return builder.build().frame(width, height)
+    }
+
+    /** Two sheets over the whole raster that cross in a column. */
+    fun crossing(width: Int, height: Int): Frame {
+        val w = width.toDouble()
+        val h = height.toDouble()
+        return FrameBuilder(Raster(width, height))
+            .polygon(Rgba.BLACK, doubleArrayOf(0.0, 0.0, 0.2, w, 0.0, 0.8, w, h, 0.8, 0.0, h, 0.2))
+            .polygon(Rgba.WHITE, doubleArrayOf(0.0, 0.0, 0.7, w, 0.0, 0.3, w, h, 0.3, 0.0, h, 0.7))
+            .build()
     }
 }
