@@ -32,8 +32,8 @@ public final class GrowthPage {
     /** Axes along which something grows for all strategies. */
     private static final List<Axis> CURVES = List.of(Axis.TRIANGLES, Axis.PIXELS, Axis.SMALL, Axis.DEPTH, Axis.SHADING);
 
+    final ModelFit fit;
     private final Measurements results;
-    private final ModelFit fit;
 
     GrowthPage(Measurements results) {
         this.results = results;

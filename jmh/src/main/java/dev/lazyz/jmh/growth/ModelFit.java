@@ -107,20 +107,34 @@ final class ModelFit {
     /** Returns the non-negative coefficients that bring each row's sum closest to 1, by repeated coordinate descent. */
     static double[] leastSquares(List<double[]> rows) {
         int count = rows.get(0).length;
+        double[][] columns = new double[count][rows.size()];
+        double[] squares = new double[count];
+        for (int i = 0; i < count; i++) {
+            for (int k = 0; k < rows.size(); k++) {
+                columns[i][k] = rows.get(k)[i];
+                squares[i] += columns[i][k] * columns[i][k];
+            }
+        }
         double[] coefficients = new double[count];
         double[] rest = new double[rows.size()];
         Arrays.fill(rest, 1);
-        for (int sweep = 0; sweep < SWEEPS; sweep++) {
+        boolean isChanged = true;
+        for (int sweep = 0; sweep < SWEEPS && isChanged; sweep++) {
+            isChanged = false;
             for (int i = 0; i < count; i++) {
+                double[] column = columns[i];
                 double slope = 0;
-                double square = 0;
                 for (int k = 0; k < rest.length; k++) {
-                    slope += rows.get(k)[i] * rest[k];
-                    square += rows.get(k)[i] * rows.get(k)[i];
+                    slope += column[k] * rest[k];
                 }
-                double better = square == 0 ? 0 : Math.max(0, coefficients[i] + slope / square);
+                double better = squares[i] == 0 ? 0 : Math.max(0, coefficients[i] + slope / squares[i]);
+                double step = better - coefficients[i];
+                if (step == 0) {
+                    continue;
+                }
+                isChanged = true;
                 for (int k = 0; k < rest.length; k++) {
-                    rest[k] -= (better - coefficients[i]) * rows.get(k)[i];
+                    rest[k] -= step * column[k];
                 }
                 coefficients[i] = better;
             }
