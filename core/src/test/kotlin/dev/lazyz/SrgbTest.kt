@@ -11,14 +11,6 @@ class SrgbTest {
     private fun alpha(alpha: Float): Int = Rgba(0f, 0f, 0f, alpha).toArgb() ushr 24
 
     @Test
-    fun rule_6_4_everyCodeSurvives() {
-        for (code in 0..255) {
-            val argb = code shl 24 or (code shl 16) or (255 - code shl 8) or code
-            assertEquals(argb, Rgba.ofArgb(argb).toArgb()) { "code $code" }
-        }
-    }
-
-    @Test
     fun rule_6_4_alphaIsLinear() {
         val random = Random(2)
         for (code in 0..254) {

@@ -68,7 +68,7 @@ class AmbientOcclusionTest {
     fun aSphereDoesNotHideItself() {
         for (radius in listOf(1e-9, 1.0, 1e12)) {
             val occlusion = AmbientOcclusion.of(Scene(listOf(Sphere(Vector3d(), radius, Material()))))
-            for (n in SphereDirections.everywhere(50)) {
+            for (n in SphereDirections.everywhere(20)) {
                 val x = n.x.toFloat()
                 val y = n.y.toFloat()
                 val z = n.z.toFloat()

@@ -1,6 +1,5 @@
 package dev.lazyz.strategies.flow
 
-import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Raster
@@ -15,7 +14,6 @@ import kotlinx.coroutines.awaitAll
 import kotlinx.coroutines.cancel
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.map
-import kotlinx.coroutines.flow.take
 import kotlinx.coroutines.flow.toList
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.runBlocking
@@ -28,20 +26,6 @@ import org.junit.jupiter.api.Test
 class FlowPipelineTest {
     private val pipeline = FlowPipeline()
     private val raster = Raster(8, 100)
-
-    @Test
-    fun takingSomeRowsDoesTheWorkOfThoseRows() = runBlocking {
-        val layers = PipelineScenes.layers(raster, 10)
-        var counters = Counters.NONE
-        pipeline.rows(Frame(raster, layers)).take(3).collect { row ->
-            assertTrue(layers.all { it.rows.size == row.y + 1 }) { "row ${row.y} is ready, and no other" }
-            row.argb(2)
-            counters = counters.plus(row.counters)
-        }
-        assertTrue(layers.all { it.rows == listOf(0, 1, 2) })
-        assertEquals(240, counters.fragments)
-        assertEquals(3, counters.shadingCalls)
-    }
 
     @Test
     fun cancellingFromAnotherThreadStopsWithinARow() = runBlocking {

@@ -7,11 +7,7 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
-import dev.lazyz.strategies.AwkwardFrames
-import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.FrameBuilder
-import java.util.concurrent.Callable
-import java.util.concurrent.Executors
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -87,20 +83,6 @@ class TiledTest {
         val frame = Frame(Raster(2000, 1), List(10_000) { Probe(Region(0, 0, 2000, 1)) })
         val bytes = tiled(1, tileSize = 1).render(frame, NOWHERE).peakBytes
         assertTrue(bytes < 10_000L * 300) { "$bytes" }
-    }
-
-    @Test
-    fun severalThreadsUseOneRendererAtOnce() {
-        val renderer = tiled(3)
-        val frames = List(6) { AwkwardFrames(it.toLong()).frame() }
-        val expected = frames.map { ZBuffer().render(it) }
-        val threads = Executors.newFixedThreadPool(6)
-        try {
-            val images = threads.invokeAll(frames.map { Callable { List(5) { _ -> renderer.render(it) } } })
-            for ((image, answers) in expected.zip(images)) for (answer in answers.get()) assertEquals(image, answer)
-        } finally {
-            threads.shutdown()
-        }
     }
 
     @Test

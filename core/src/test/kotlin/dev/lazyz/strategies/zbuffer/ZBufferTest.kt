@@ -6,7 +6,6 @@ import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
 import dev.lazyz.render
@@ -97,38 +96,6 @@ class ZBufferTest {
         }
         assertEquals("torn", exception.message)
         assertEquals(0, rows)
-    }
-
-    @Test
-    fun rowsComeFromTheTopEachOnce() {
-        val rows = ArrayList<Int>()
-        ZBuffer().render(SampleScenes.drawn(Random(1), Raster(5, 9), 3)) { y, argb, depth, primitive ->
-            rows.add(y)
-            assertTrue(argb.size >= 5 && depth.size >= 5 && primitive.size >= 5)
-        }
-        assertEquals((0 until 9).toList(), rows)
-    }
-
-    @Test
-    fun aRegionIsThatPartOfThePicture() {
-        for (frame in frames()) {
-            val whole = ZBuffer().render(frame)
-            val region = Region(3, 5, 17, 12)
-            val part = ZBuffer().render(frame.within(region))
-            for (y in region.rowStart until region.rowEnd) {
-                for (x in region.columnStart until region.columnEnd) {
-                    assertEquals(whole.argb(x, y), part.argb(x, y))
-                    assertEquals(whole.depth(x, y), part.depth(x, y))
-                    assertEquals(whole.primitive(x, y), part.primitive(x, y))
-                }
-            }
-        }
-    }
-
-    @Test
-    fun oneRendererServesAnyNumberOfFrames() {
-        val renderer = ZBuffer()
-        for (frame in frames()) assertEquals(ZBuffer().render(frame), renderer.render(frame))
     }
 
     @Test

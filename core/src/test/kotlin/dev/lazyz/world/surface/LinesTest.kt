@@ -98,7 +98,7 @@ class LinesTest {
         }
     }
 
-    @Property(seed = "1995", tries = 800, edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
     fun rule_2_10_aLineIsAQuadAndItsEnds(@ForAll random: Random) {
         val reach = listOf(2, 40, 300, 3000, 6000)[random.nextInt(5)]
         val x0 = random.nextInt(26 * 256) - 256
