@@ -4,7 +4,7 @@ from pathlib import PurePosixPath
 import re
 
 # The sections, in their order
-SECTIONS = ["start", "use", "library", "strategies", "contract", "performance", "project", "reference"]
+SECTIONS = ["start", "library", "strategies", "contract", "reference", "performance", "project"]
 FOLDER = PurePosixPath("docs/site/pages")
 
 

@@ -4,11 +4,8 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Sphere
-import kotlin.io.path.readLines
-import kotlin.io.path.readText
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** Compiles and runs the ten lines of the README. */
@@ -22,19 +19,6 @@ class KotlinSampleTest {
         val image = ZBuffer().render(world.frame(640, 480))
         println("${image.visible} samples covered, ${image.counters.shadingCalls} shading calls, ${image.pixelHash()}")
         assertEquals(PINNED, image.pixelHash())
-    }
-
-    @Test
-    fun theReadmeShowsTheseLines() {
-        val readme = ProjectFiles.root.resolve("README.md").readText()
-        val block = readme.substringAfter("```kotlin\n").substringBefore("\n```").lines()
-        val source = ProjectFiles.root.resolve("core/src/test/kotlin/dev/lazyz/KotlinSampleTest.kt")
-        val code = source.readLines().map { it.trim() }
-        val shown = block.map { it.trim() }.filterNot { it.isEmpty() || it.startsWith("import ") }
-        assertTrue(shown.size in 4..10) { "the Kotlin block of README.md: $shown" }
-        val start = code.indexOf(shown.first())
-        assertTrue(start >= 0) { "no line is: ${shown.first()}" }
-        assertEquals(shown.joinToString("\n"), code.drop(start).take(shown.size).joinToString("\n"))
     }
 
     private companion object {

@@ -7,8 +7,6 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
-import kotlin.io.path.extension
-import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -16,36 +14,8 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
-/** Each code block in docs/conformance.md consists of lines of a test, in the same order. */
+/** Code of docs/conformance.md that no other test has. */
 class ConformancePageTest {
-    private val root = listOf(".", "..").map { Path.of(it) }.first { Files.isDirectory(it.resolve("docs")) }
-
-    private fun lines(text: String) = text.lines().map { it.trim() }.filter { it.isNotEmpty() }
-
-    @Test
-    fun codeOfThePageIsCompiled() {
-        val page = root.resolve("docs/conformance.md").readText()
-        val blocks = Regex("(?s)```(?:kotlin|java)\n(.*?)\n```").findAll(page).map { lines(it.groupValues[1]) }.toList()
-        val sources = Files.walk(root.resolve("conformance/src/test")).use { paths ->
-            paths.filter { it.extension == "kt" || it.extension == "java" }.toList().map { lines(it.readText()) }
-        }
-        assertEquals(8, blocks.size)
-        for (block in blocks) {
-            assertTrue(sources.any { it.windowed(block.size).contains(block) }) {
-                "no test has these lines of docs/conformance.md:\n${block.joinToString("\n")}"
-            }
-        }
-    }
-
-    @Test
-    fun pageHasEveryRule() {
-        val page = root.resolve("docs/conformance.md").readText()
-        val listed = Regex("(?m)^\\| `(rule_\\w+)`( \\(SHOULD\\))? \\|").findAll(page).map {
-            it.groupValues[1]
-        }.toList()
-        assertEquals(SuiteRun.rules.sorted(), listed.sorted())
-    }
-
     @Test
     fun programDrawsTheSceneOfAFailure(@TempDir folder: Path) {
         val path = folder.resolve("rule.json")

@@ -72,7 +72,7 @@ public sealed interface RulesForOne {
 /**
  * Versions of the contract and the suite.
  *
- * A renderer conforms to a version of the suite; later versions may have more rules. `docs/conformance-versions.md`
+ * A renderer conforms to a version of the suite; later versions may have more rules. `docs/conformance.md`
  * lists the rules of each version.
  */
 public object ConformanceVersions {

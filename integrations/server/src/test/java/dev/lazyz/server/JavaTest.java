@@ -42,4 +42,12 @@ class JavaTest {
         assertThrows(IllegalStateException.class, closed::start);
         assertThrows(IllegalArgumentException.class, () -> config.withPort(-1));
     }
+
+    @Test
+    void codeOfThePage() throws Exception {
+        ServerConfig config = new ServerConfig().withPort(0).withQueue(16);
+        try (RenderServer server = new RenderServer(config).start()) {
+            System.out.println("http://127.0.0.1:" + server.getPort() + "/");
+        }
+    }
 }

@@ -29,6 +29,13 @@ class ServerPageTest {
     }
 
     @Test
+    fun code() {
+        RenderServer(ServerConfig(port = 0, queue = 16)).start().use { server ->
+            println("http://127.0.0.1:${server.port}/")
+        }
+    }
+
+    @Test
     fun metrics() = RenderServer(ServerConfig(port = 0, log = {})).start().use { server ->
         Client(server).get("/")
         Client(server).await("lazyz_requests_open", 0)

@@ -11,6 +11,14 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The library from Java. */
 class JavaTest {
+    /** The first lines of docs/spark.md. */
+    static void page() {
+        SparkSession spark = SparkSession.builder().master("local[2]").getOrCreate();
+        Dataset<Row> models = spark.read().format("binaryFile").load("models");
+        Dataset<Row> pictures = ModelPictures.render(models, "size=256 view=iso");
+        pictures.write().parquet("pictures");
+    }
+
     @Test
     void modelsBecomePictures(@TempDir Path folder) {
         SparkSession spark = TestSpark.getSession();

@@ -14,13 +14,6 @@ class GoldenTestsPageTest {
     private val page = root.resolve("docs/golden-tests.md").readText()
 
     @Test
-    fun theFirstLinesAreThoseOfTheExample() {
-        val code = page.substringAfter("```java\n").substringBefore("```")
-        assertEquals(root.resolve("examples/golden-tests/src/test/java/TeapotTest.java").readText(), code)
-        assertTrue(code.lines().count { it.isNotBlank() } <= 10, code)
-    }
-
-    @Test
     fun theTableHasAllProperties() {
         val listed = Regex("""\| `(lazyz\.[a-z.]+)` \|""").findAll(page).map { it.groupValues[1] }.toList()
         assertEquals(listOf(GoldenSettings.UPDATE, GoldenSettings.ROOT, GoldenSettings.OUTPUT), listed)

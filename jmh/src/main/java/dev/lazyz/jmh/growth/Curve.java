@@ -12,9 +12,6 @@ import java.util.OptionalDouble;
  * @param points in ascending order of values
  */
 record Curve(List<double[]> points) {
-    /** Number of points that count as the end of a curve. */
-    private static final int LAST = 3;
-
     static Curve of(Measurements results, String quantity, Axis axis, String strategy) {
         List<double[]> points = new ArrayList<>();
         for (long value : axis.values) {
@@ -42,27 +39,5 @@ record Curve(List<double[]> points) {
                 results.median(Growth.FRAGMENTS, subject, Growth.FRAME).orElseThrow(),
                 false,
                 Math.max(1, axis.rounds(value)));
-    }
-
-    /**
-     * Returns the exponent of growth at the end: the slope of the least-squares line through (log x, log y) of the last
-     * points; NaN if there are fewer than two.
-     */
-    double slope() {
-        List<double[]> last = points.subList(Math.max(0, points.size() - LAST), points.size());
-        double x = 0;
-        double y = 0;
-        for (double[] point : last) {
-            x += StrictMath.log(point[0]) / last.size();
-            y += StrictMath.log(point[1]) / last.size();
-        }
-        double both = 0;
-        double square = 0;
-        for (double[] point : last) {
-            double dx = StrictMath.log(point[0]) - x;
-            both += dx * (StrictMath.log(point[1]) - y);
-            square += dx * dx;
-        }
-        return last.size() < 2 ? Double.NaN : both / square;
     }
 }

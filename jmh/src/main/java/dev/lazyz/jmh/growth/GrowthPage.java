@@ -12,10 +12,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.function.BiFunction;
 import java.util.function.ToDoubleFunction;
 
 /**
@@ -59,8 +57,6 @@ public final class GrowthPage {
     String section(String name) {
         return switch (name) {
             case "summary" -> summary();
-            case "time" -> slopes(Growth.TIME, Order::time);
-            case "memory" -> slopes(Growth.PEAK, Order::memory);
             case "choices" ->
                 "The model's choice takes at most " + TOLERANCE + " times as long as the fastest at " + good(false)
                         + " of " + choices(false) + " points; if `tiled` is left out, at " + good(true) + " of "
@@ -95,26 +91,6 @@ public final class GrowthPage {
                 .count();
         return Page.table(head, rows) + "\n`tiled` is the fastest in " + best + " of " + compared.size()
                 + " measured frames. " + Page.source(results);
-    }
-
-    /** Returns a table of slopes at the end of each curve, beside the order that theory predicts. */
-    private String slopes(String quantity, BiFunction<Axis, String, Order> theory) {
-        List<String> head = new ArrayList<>(List.of("strategy"));
-        CURVES.forEach(axis -> head.add(axis.title));
-        List<List<String>> rows = new ArrayList<>();
-        for (String strategy : fit.strategies()) {
-            List<String> row = new ArrayList<>(List.of(strategy));
-            for (Axis axis : CURVES) {
-                double slope = Curve.of(results, quantity, axis, strategy).slope();
-                Order order = theory.apply(axis, strategy);
-                String text = Double.isNaN(slope)
-                        ? "–"
-                        : String.format(Locale.ROOT, "%.2f", slope).replace("-0.00", "0.00");
-                row.add((order.isDeparture(slope) ? "**" + text + "**" : text) + ": " + order.text());
-            }
-            rows.add(row);
-        }
-        return Page.table(head, rows);
     }
 
     private void writeCharts(Path folder) throws IOException {

@@ -134,22 +134,33 @@ public final class MemoryGrid {
 
     private String table(Map<String, List<String>> inputs, List<Integer> amounts)
             throws IOException, InterruptedException {
-        List<String> head = new ArrayList<>(List.of("input", "picture"));
-        amounts.forEach(amount -> head.add(amount + " MiB"));
+        List<String> head = new ArrayList<>(List.of("input"));
+        SIZES.forEach(size -> head.add(String.join(" ", size.subList(1, size.size()))));
         List<List<String>> rows = new ArrayList<>();
         for (Map.Entry<String, List<String>> input : inputs.entrySet()) {
+            List<String> row = new ArrayList<>(List.of(input.getKey()));
             for (List<String> size : SIZES) {
-                List<String> row =
-                        new ArrayList<>(List.of(input.getKey(), String.join(" ", size.subList(1, size.size()))));
-                String expected = expected(input.getValue(), size);
-                for (int amount : amounts) {
-                    row.add(cell(input.getValue(), size, amount, expected));
-                }
-                rows.add(row);
-                System.out.println(String.join(" | ", row));
+                row.add(least(input.getValue(), size, amounts));
             }
+            rows.add(row);
+            System.out.println(String.join(" | ", row));
         }
         return Page.table(head, rows);
+    }
+
+    /** Returns the least amount from which on the picture is rendered in all formats; a dash if there is none. */
+    private String least(List<String> input, List<String> size, List<Integer> amounts)
+            throws IOException, InterruptedException {
+        String expected = expected(input, size);
+        String least = "–";
+        for (int amount : amounts) {
+            if (!isRendered(input, size, amount, expected)) {
+                least = "–";
+            } else if (least.equals("–")) {
+                least = amount + " MiB";
+            }
+        }
+        return least;
     }
 
     /** Returns the hash of the picture without a limit. */
@@ -163,10 +174,10 @@ public final class MemoryGrid {
         return free.pixelHash();
     }
 
-    /** Returns the formats in which the picture is rendered. */
-    private String cell(List<String> input, List<String> size, int amount, String expected)
+    /** Returns whether the picture is rendered in all formats. A failure is printed and counted. */
+    private boolean isRendered(List<String> input, List<String> size, int amount, String expected)
             throws IOException, InterruptedException {
-        List<String> done = new ArrayList<>();
+        boolean isEach = true;
         for (String format : formats) {
             Path picture = folder.resolve("picture." + format);
             List<String> words = words(input, size, picture);
@@ -176,18 +187,18 @@ public final class MemoryGrid {
                     run.code() == 2 && run.errors().contains(", and --memory allows ") && !Files.exists(picture);
             if (run.code() == 0 && run.pixelHash().equals(expected)) {
                 rendered++;
-                done.add(format);
             } else if (isRefused) {
                 refused++;
+                isEach = false;
             } else {
                 failed++;
-                done.add("FAILED: " + format);
+                isEach = false;
                 System.out.println(String.join(" ", words) + ": code " + run.code() + ", " + run.errors());
             }
             delete(picture);
             delete(folder.resolve("picture_files"));
         }
-        return done.isEmpty() ? "–" : String.join(", ", done);
+        return isEach;
     }
 
     private static List<String> words(List<String> input, List<String> size, Path picture) {

@@ -6,7 +6,6 @@ import dev.lazyz.jmh.large.Hills;
 import dev.lazyz.jmh.report.Charts;
 import dev.lazyz.jmh.report.Measurements;
 import dev.lazyz.jmh.report.Options;
-import dev.lazyz.jmh.report.Page;
 import dev.lazyz.strategies.Renderers;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -14,17 +13,16 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 
 /**
  * Finds the smallest heap, {@code -Xmx}, with which each strategy renders a picture, by bisection, while the picture or
- * the number of triangles grows. Draws charts, and writes tables into a page.
+ * the number of triangles grows. Writes a file of results, and draws charts.
  *
  * <p>{@code java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.memory.MemoryGrowth}
  *
- * <p>Options: {@code --jar}, that of zcli; {@code --page}; {@code --charts}, the folder of charts; {@code --axis},
+ * <p>Options: {@code --jar}, that of zcli; {@code --results}, a file; {@code --charts}, the folder of charts; {@code --axis},
  * pixels or triangles, by default both; {@code --seconds}, the longest time of a run. A run that takes longer counts as
  * one without enough memory.
  */
@@ -54,7 +52,7 @@ public final class MemoryGrowth {
     }
 
     public static void main(String[] args) throws IOException, InterruptedException {
-        Options options = new Options(args, Set.of("jar", "page", "charts", "axis", "seconds"));
+        Options options = new Options(args, Set.of("jar", "results", "charts", "axis", "seconds"));
         Path folder = Files.createTempDirectory("memory-growth");
         MemoryGrowth growth = new MemoryGrowth(
                 Path.of(options.get("jar", "cli/target/zcli.jar")),
@@ -75,9 +73,7 @@ public final class MemoryGrowth {
             Files.deleteIfExists(folder.resolve("picture.ppm"));
             Files.delete(folder);
         }
-        Page.update(
-                Path.of(options.get("page", "docs/memory.md")),
-                name -> points(name).isEmpty() ? null : table(name, heaps));
+        heaps.write(Path.of(options.get("results", "docs/memory/heaps.csv")));
     }
 
     /** Returns the values along an axis; none if there is no such axis. */
@@ -153,19 +149,6 @@ public final class MemoryGrowth {
         return ForkedRendering.run(jar, List.of("-XX:+UseSerialGC"), mebibytes, words, seconds)
                         .code()
                 == 0;
-    }
-
-    private static String table(String axis, Measurements heaps) {
-        List<String> head = new ArrayList<>(List.of(axis));
-        points(axis).forEach(point -> head.add(String.format(Locale.ROOT, "%,d", point)));
-        List<List<String>> rows = new ArrayList<>();
-        for (String name : heaps.programs(HEAP)) {
-            List<String> row = new ArrayList<>(List.of(name));
-            points(axis)
-                    .forEach(point -> row.add(Page.number("%.0f MiB", heaps.median(HEAP, subject(axis, point), name))));
-            rows.add(row);
-        }
-        return Page.table(head, rows);
     }
 
     private static void chart(String axis, Measurements heaps, Path file) throws IOException {

@@ -64,7 +64,6 @@ public final class PeerPage {
         return switch (name) {
             case "summary" -> summary();
             case "meshes" -> meshes();
-            case "lit" -> lit();
             case "starts" -> starts();
             case "jobs" -> Jobs.table(jobs);
             default -> throw new IllegalArgumentException("no table '" + name + "'");
@@ -132,29 +131,6 @@ public final class PeerPage {
             }
         }
         return text.toString();
-    }
-
-    /** Returns the times of lit mesh files, with one sample a pixel and with many. */
-    private String lit() {
-        List<String> programs = new ArrayList<>(List.of(SideBySide.BASE));
-        OURS.forEach(program -> programs.addAll(List.of(program, program + Contender.PIXELS)));
-        List<String> head = new ArrayList<>(List.of("1 thread, 1 sample; anti-aliased"));
-        head.addAll(programs);
-        List<List<String>> rows = new ArrayList<>();
-        for (Subject many :
-                subjects.stream().filter(subject -> subject.samples() > 1).toList()) {
-            Subject one = new Subject(many.scene(), many.side(), 1, many.threads());
-            List<String> row = new ArrayList<>(List.of(many.scene()));
-            for (String program : programs) {
-                boolean isBase = program.equals(SideBySide.BASE);
-                OptionalDouble first = time(one, program);
-                row.add((first.isPresent() ? Page.time(first) + "; " : "")
-                        + Page.time(time(many, program))
-                        + (isBase ? "" : ", " + Page.ratio(ratio(many, program))));
-            }
-            rows.add(row);
-        }
-        return Page.table(head, rows);
     }
 
     /** Returns a sentence about the time of whole processes. */

@@ -107,7 +107,7 @@ class GrowthTest {
     void whatIsTooSlowIsNotMeasuredFurtherOn(@TempDir Path folder) throws InterruptedException, IOException {
         Path page = folder.resolve("growth.md");
         Path file = folder.resolve("results.csv");
-        Files.writeString(page, "<!-- generated: time -->\n<!-- end -->\n");
+        Files.writeString(page, "<!-- generated: summary -->\n<!-- end -->\n");
         Growth.main(new String[] {
             "--points",
             "2",
@@ -130,17 +130,7 @@ class GrowthTest {
         int strategies = Renderers.getBuiltIn().size();
         assertEquals(List.of("shading 1"), results.subjects(Growth.TIME));
         assertEquals(strategies, results.programs(Growth.TIME).size());
-        assertTrue(Files.readString(page).contains("| –: p c |"), Files.readString(page));
-    }
-
-    @Test
-    void slopesAreExponents() {
-        List<double[]> square =
-                List.of(new double[] {1, 5}, new double[] {2, 5}, new double[] {4, 80}, new double[] {8, 320});
-        assertEquals(2, new Curve(square.subList(2, 4)).slope(), 1e-9);
-        assertEquals(Math.log(64) / Math.log(4), new Curve(square).slope(), 1e-9);
-        assertTrue(Double.isNaN(new Curve(square.subList(0, 1)).slope()));
-        assertTrue(new Order("n", 1, 1).isDeparture(1.2) && !new Order("n", 1, 1).isDeparture(0.9));
+        assertTrue(Files.readString(page).contains("| tiled | – | – | – | – | – |\n"), Files.readString(page));
     }
 
     @Test

@@ -59,17 +59,6 @@ class PeerPageTest {
     }
 
     @Test
-    void antiAliasedPicturesAreBesideThoseWithOneSample() {
-        time("cow.obj lit", 1, SideBySide.BASE, 1, 6);
-        time("cow.obj lit", 4, SideBySide.BASE, 1, 12);
-        time("cow.obj lit", 1, PLAIN, 1, 3);
-        time("cow.obj lit", 4, PLAIN, 1, 24);
-        time("cow.obj lit", 4, PLAIN + Contender.PIXELS, 1, 8);
-        String row = "| cow.obj lit | 6.00; 12.0 | –, – | –, – | 3.00; 24.0, **0.50** | 8.00, **1.50** |\n";
-        assertTrue(section("lit").contains(row), section("lit"));
-    }
-
-    @Test
     void startsAreSummedUp() {
         results.add(SideBySide.START, SideBySide.COLD_SCENE, "zcli", 1, 400);
         results.add(SideBySide.START, SideBySide.COLD_SCENE, "zcli", 2, 500);

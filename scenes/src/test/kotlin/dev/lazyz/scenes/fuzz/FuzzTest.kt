@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir
  * Each loader answers each input with a scene that can be drawn, or with its one exception; soon, and with little
  * memory.
  *
- * A glance in the usual build. How to look for hours stands in `docs/fuzzing.md`.
+ * A glance in the usual build. How to look for hours stands in `CONTRIBUTING.md`.
  */
 @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class FuzzTest {

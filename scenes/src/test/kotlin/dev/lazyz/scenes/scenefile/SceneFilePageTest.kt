@@ -49,7 +49,6 @@ class SceneFilePageTest {
 
     @Test
     fun theKeysOfTheReaderAreOnThePage() {
-        assertTrue(examples.size >= 4, "${examples.size} examples")
         val names = SceneFileNames.run {
             listOf(projections, shadings, alphaModes, sides, filters, wraps, fillRules, conventions, depthTests) +
                 listOf(lightRigs)
