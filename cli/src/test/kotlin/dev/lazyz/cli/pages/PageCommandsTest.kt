@@ -16,9 +16,9 @@ import org.junit.jupiter.api.TestFactory
 import org.junit.jupiter.api.io.TempDir
 
 /**
- * The commands of the pages succeed, each where it says, except those whose [note][FencedBlock.note] says that `.ci/run`
- * runs them, or why nobody does. By default only the first blocks of the pages that a newcomer reads are run, with
- * `-Dlazyz.effort=rest` all pages with others, and with `full` all.
+ * The commands of the pages succeed, each where it says, except those whose [note][FencedBlock.note] says that
+ * `.ci/run` runs them, or why nobody does. By default only the first blocks of the pages that a newcomer reads are run,
+ * with `-Dlazyz.effort=rest` all pages with others, and with `full` all.
  */
 class PageCommandsTest {
     private val commands = FencedBlock.all.filter { it.language == "sh" }

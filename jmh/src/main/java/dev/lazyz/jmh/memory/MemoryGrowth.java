@@ -22,9 +22,9 @@ import java.util.Set;
  *
  * <p>{@code java -cp jmh/target/benchmarks.jar dev.lazyz.jmh.memory.MemoryGrowth}
  *
- * <p>Options: {@code --jar}, that of zcli; {@code --results}, a file; {@code --charts}, the folder of charts; {@code --axis},
- * pixels or triangles, by default both; {@code --seconds}, the longest time of a run. A run that takes longer counts as
- * one without enough memory.
+ * <p>Options: {@code --jar}, that of zcli; {@code --results}, a file; {@code --charts}, the folder of charts;
+ * {@code --axis}, pixels or triangles, by default both; {@code --seconds}, the longest time of a run. A run that takes
+ * longer counts as one without enough memory.
  */
 public final class MemoryGrowth {
     private static final List<Integer> SIDES = List.of(512, 1448, 4096);
