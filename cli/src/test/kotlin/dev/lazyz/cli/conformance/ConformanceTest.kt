@@ -178,15 +178,6 @@ class ConformanceTest {
 
     @Test
     @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
-    fun exploringPrintsItsSeed() {
-        val seeds = List(2) {
-            conformance("--strategy", "zbuffer", "--rule", ties, "--explore", "--json").done().stat("seed")
-        }
-        assertEquals(2, seeds.distinct().size)
-    }
-
-    @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun exploringAgainWithTheSeedOfASummaryIsTheSame() {
         fun frames(text: String) = text.lines().dropWhile { " frames, of which" !in it }.dropLast(2)
         val rule = arrayOf("--strategy", "zbuffer", "--rule", ties)

@@ -1,7 +1,6 @@
 package dev.lazyz.cli.render
 
 import dev.lazyz.aov.Aov
-import dev.lazyz.cli.emptyModel
 import dev.lazyz.cli.image
 import dev.lazyz.cli.zcli
 import java.nio.ByteBuffer
@@ -77,24 +76,6 @@ class AovOptionsTest {
     }
 
     @Test
-    fun strategiesThreadsAndRegionsGiveTheSameData() {
-        val aovs = Aov.entries.filter { it != Aov.SHADING_CALLS }.joinToString(",") { it.id }
-        fun data(vararg options: Any): ByteArray {
-            render("teapot", "--aov", "$aovs=${file("a.npz")}", *options).done()
-            return file("a.npz").readBytes()
-        }
-        val usual = data()
-        val choices = listOf("--strategy zbuffer", "--threads 1", "--strategy warnock")
-        for (options in choices) {
-            assertArrayEquals(usual, data(*options.split(' ').toTypedArray())) { options }
-        }
-        render("teapot", "--aov", "depth=${file("whole.npy")}").done()
-        render("teapot", "--aov", "depth=${file("part.npy")}", "--region", "10,5,20x3").done()
-        val whole = floats("whole.npy").chunked(40).subList(5, 8).flatMap { it.subList(10, 30) }
-        assertEquals(whole, floats("part.npy"))
-    }
-
-    @Test
     fun positionsAreInCoordinatesOfTheModel() {
         val model = file("model.obj")
         model.writeText("v 0 0 7\nv 9 0 7\nv 0 5 7\nf 1 2 3\n")
@@ -110,15 +91,6 @@ class AovOptionsTest {
             val normals = floats("n.npy").chunked(3).toSet() - setOf(listOf(0f, 0f, 0f))
             assertEquals(setOf(listOf(0f, 0f, 1f)), normals) { up }
         }
-    }
-
-    @Test
-    fun backgroundsAreThoseOfThePage() {
-        val empty = folder.emptyModel()
-        val result = render(empty, "--aov", "depth=${file("d.npy")}", "--aov", "depth=${file("d.png")}")
-        assertTrue("nothing is visible" in result.errors) { result.errors }
-        assertEquals(setOf(Float.POSITIVE_INFINITY), floats("d.npy").toSet())
-        assertEquals(listOf(65535), file("d.png").image.raster.getPixel(3, 3, null as IntArray?).toList())
     }
 
     @Test

@@ -1,7 +1,6 @@
 package dev.lazyz.cli.render
 
 import dev.lazyz.cli.Zrun
-import dev.lazyz.cli.image
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.statIn
 import dev.lazyz.cli.wedge
@@ -163,24 +162,6 @@ class CameraOptionsTest {
             assertTrue("--fov=$angle " in render("plane", "--fov", angle, "--print-camera").errors)
         }
         render(folder.wedge(), "--fov", "140").done()
-    }
-
-    @Test
-    fun theMarginIsFreeOnBothSides() {
-        for ((margin, free) in listOf("0" to 0, "10" to 10, "25" to 25)) {
-            val file = folder.resolve("margin.png")
-            zcli(
-                "render", folder.wedge(), "--size", "100x100", "--margin", margin, "-o", file, "--view", "front",
-                "--background", "transparent",
-            ).done()
-            val image = file.image
-            val columns = (0 until 100).filter { x -> (0 until 100).any { y -> image.getRGB(x, y) ushr 24 != 0 } }
-            val rows = (0 until 100).filter { y -> (0 until 100).any { x -> image.getRGB(x, y) ushr 24 != 0 } }
-
-            // A tip can be between two samples
-            assertTrue(columns.first() - free in 0..1 && 99 - free - columns.last() in 0..1, "$margin: $columns")
-            assertTrue(Math.abs(rows.first() - (99 - rows.last())) <= 1, "$rows")
-        }
     }
 
     @ParameterizedTest

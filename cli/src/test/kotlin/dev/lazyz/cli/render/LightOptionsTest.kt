@@ -124,17 +124,6 @@ class LightOptionsTest {
         assertEquals(argb(scene, "--light-intensity", "1"), argb(scene))
     }
 
-    @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
-    fun occlusionDarkensContactsOnly() {
-        val open = argb(cubes, "--ambient-occlusion", "--view", "top")
-        val contact = argb(cubes, "--ambient-occlusion", "--view", "bottom")
-        val top = open[15 * 40 + 20] and 0xFF
-        val below = contact.filter { it != -1 }.map { it and 0xFF }
-        assertTrue(below.min() < below.max() - 3) { "$below" }
-        assertTrue(top > 60)
-    }
-
     /** Occlusion makes materials physically based, which have another tone curve, whatever other options are given. */
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")

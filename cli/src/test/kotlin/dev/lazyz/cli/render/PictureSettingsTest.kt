@@ -104,14 +104,4 @@ class PictureSettingsTest {
         assertSame(model, usual.withBackground(Rgba.ofRgb(0xFF8800)), "--background", "f80")
         for (factor in listOf(1, 2, 8)) assertSame(model, usual.withSampling(SuperSampling(factor)), "--aa", "$factor")
     }
-
-    /** An STL file lies on the plane of x and y, also if only its content says what it is. */
-    @Test
-    fun theFormatIsThatOfTheContent() {
-        val named = folder.resolve("a.stl").apply { writeBytes(Hills(9).stl()) }
-        val unnamed = folder.resolve("a").apply { writeBytes(Hills(9).stl()) }
-        val pictures = listOf(named, unnamed).map { usual.frame(Scenes.load(it)).render(Tiled()).pixelHash() }
-        assertEquals(pictures[0], pictures[1])
-        assertSame(unnamed, usual)
-    }
 }

@@ -96,13 +96,6 @@ class RenderOptionsTest {
     }
 
     @Test
-    fun strategyChangesNoPixel() {
-        for (line in zcli("strategies").text.lines().filter { it.isNotEmpty() }) {
-            assertEquals(pixels(), pixels("--strategy", line.substringBefore(' ')))
-        }
-    }
-
-    @Test
     fun shadingReplacesTheMaterials() {
         val ways = listOf("constant", "flat", "gouraud", "phong", "blinn-phong")
         val turned = arrayOf("--background", "black", "--azimuth", "-135", "--aa", "1", "--shading")
@@ -137,17 +130,6 @@ class RenderOptionsTest {
     fun anglesRefineAView() {
         assertEquals(hash("--azimuth", "90", "--elevation=-20"), hash("--view", "right", "--elevation", "-20"))
         assertEquals(hash(), hash("--azimuth", "30", "--elevation", "20", "--zoom", "1", "--projection", "perspective"))
-    }
-
-    @Test
-    fun zoomEnlarges() {
-        fun covered(vararg zoom: String) = pixels("--view", "front", *zoom).count { it != -1 }
-        assertTrue(covered("--zoom", "0.5") < covered() && covered() < covered("--zoom", "1.25"))
-    }
-
-    @Test
-    fun orthographicDiffersFromPerspective() {
-        assertNotEquals(hash("--projection", "perspective"), hash("--projection", "orthographic"))
     }
 
     @Test

@@ -276,12 +276,4 @@ class ReportTest {
             assertTrue("</html>" in place.resolve("report.html").readText(), "$place")
         }
     }
-
-    @Test
-    fun aBlankPictureIsAWarning() {
-        val run = report(folder.wedge(), "--region", "0,0,2x2")
-        assertEquals(ExitCode.DONE, run.code)
-        assertTrue("zcli: warning: nothing is visible" in run.errors, run.errors)
-        assertTrue("<dd>0 pixels, 0.0 %</dd>" in page().text)
-    }
 }

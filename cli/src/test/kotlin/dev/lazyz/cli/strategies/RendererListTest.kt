@@ -10,7 +10,6 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.nio.file.Path
 import java.util.ServiceConfigurationError
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -20,13 +19,6 @@ import org.junit.jupiter.api.io.TempDir
 class RendererListTest {
     @TempDir
     lateinit var folder: Path
-
-    @Test
-    fun builtInsAreFoundById() {
-        assertEquals(ZBuffer::class.java, Renderers.find("zbuffer")?.javaClass)
-        assertNull(Renderers.find("ZBuffer"))
-        assertEquals(Renderers.builtIn.map { it.id }, Renderers.all().map { it.id })
-    }
 
     @Test
     fun thirdPartiesComeBehindTheBuiltIns() = withRenderers(folder, BuggyRenderer::class.java.name) {

@@ -141,21 +141,6 @@ class StrategyChoiceTest {
     }
 
     @Test
-    fun costChangesNoPixel() = withCapable {
-        val hash = render("teapot").done().stat("pixelHash")
-        for (cost in listOf("--memory-budget 0", "--coherence incremental", "--coherence adaptive", "--threads 5")) {
-            assertEquals(hash, render("teapot", *cost.split(" ").toTypedArray()).done().stat("pixelHash"), cost)
-        }
-    }
-
-    @Test
-    fun memoryBudgetCostsShadingCalls() {
-        fun calls(budget: String) =
-            render("teapot", "--strategy", "hybrid", "--memory-budget", budget).done().stat("shadingCalls").toLong()
-        check(calls("1g") < calls("0")) { "without memory, colours cannot wait" }
-    }
-
-    @Test
     fun selectorsShowDifferentSurfaces() {
         val ways = listOf("nearest", "farthest", "kth:2", "count", "blend")
         val pictures = ways.associateWith { way ->
