@@ -1,14 +1,11 @@
 package dev.lazyz.conformance.broken
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
-import dev.lazyz.Rgba
 import dev.lazyz.RowSink
 import dev.lazyz.ShadingCursor
 import dev.lazyz.strategies.lazy.LazyZBuffer
@@ -16,18 +13,6 @@ import dev.lazyz.strategies.painter.Painter
 
 /** Renderers that are correct except for colours, and for when colours are computed. */
 object BrokenColours {
-    fun premultiplied() = painting("alpha-premultiplied") { image, _ ->
-        val argb = IntArray(image.argb.size) {
-            val color = Rgba.ofArgb(image.argb[it])
-            color.scaled(color.alpha).toArgb()
-        }
-        Image(image.region, argb, image.depth, image.primitive, image.counters)
-    }
-
-    fun alphaLost() = painting("alpha-lost") { image, _ ->
-        val argb = IntArray(image.argb.size) { image.argb[it] or (0xFF shl 24) }
-        Image(image.region, argb, image.depth, image.primitive, image.counters)
-    }
 
     fun shadesBeforeTheTest() =
         BrokenRenderer("shades-before-the-test", setOf(Capability.SHADES_ONLY_VISIBLE)) { frame, sink ->
@@ -39,17 +24,6 @@ object BrokenColours {
     }
 
     fun oneStepShort() = stepping("one-step-short") { cursor, steps -> if (steps > 1) cursor.step() }
-
-    fun oneStepTooMany() = stepping("one-step-too-many") { cursor, steps ->
-        repeat(if (steps == 1) 2 else 1) { cursor.step() }
-    }
-
-    /** Shades directly for the picture, and also makes steps that no option requests. */
-    fun alwaysSteps(): BrokenRenderer = BrokenRenderer(
-        "always-steps",
-        setOf(Capability.COHERENCE),
-        options = { alwaysSteps() },
-    ) { frame, sink -> LazyZBuffer(RenderOptions(Coherence.INCREMENTAL)).render(frame, sink) }
 
     fun countsNoSteps() = coherent("counts-no-steps") { frame, options, sink ->
         LazyZBuffer(options).render(frame, sink).toBuilder().apply { shadingSteps = 0 }.build()
@@ -114,15 +88,6 @@ object BrokenColours {
             val (x, y) = fragment.x to fragment.y
             val ends = listOf(x - 1, x + 1).map { whole.colorAt(it, y) }
             fragment.moveTo(if (ends[0] == ends[1]) x + 1 else x, y)
-            whole.shade(fragment)
-        }
-    }
-
-    fun oneColourWithoutCursor() = primitives("one-colour-without-cursor") { EveryEighthColour(it) }
-
-    private class EveryEighthColour(private val whole: Primitive) : Primitive by whole {
-        override fun shade(fragment: Fragment) {
-            if (whole.shadingCursor(fragment.x, fragment.y) == null) fragment.moveTo(fragment.x / 8 * 8, fragment.y)
             whole.shade(fragment)
         }
     }

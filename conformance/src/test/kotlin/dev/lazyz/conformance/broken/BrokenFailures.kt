@@ -9,23 +9,15 @@ import dev.lazyz.RowSink
 import dev.lazyz.Selector
 import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.changed.Recovered
-import dev.lazyz.strategies.lazy.LazyZBuffer
 import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
-import java.util.concurrent.Executors
 import java.util.concurrent.ThreadLocalRandom
 import java.util.concurrent.atomic.AtomicLong
 import java.util.concurrent.atomic.AtomicReference
 
 /** Renderers that clean up only after a success, or only where few look. */
 internal object BrokenFailures {
-    fun renamesAfterFailures() = BrokenRenderer("renames-after-failures") { frame, sink ->
-        val thread = Thread.currentThread()
-        val name = thread.name
-        thread.name = "rendering"
-        ZBuffer().render(frame, sink).also { thread.name = name }
-    }
 
     /** Interrupts its worker after a failure, and does not clear the worker's status. */
     fun leavesInterrupts() = parallel("leaves-interrupts") { frame, sink, options ->
@@ -40,28 +32,6 @@ internal object BrokenFailures {
             worker.get()?.interrupt()
             throw e
         }
-    }
-
-    fun threadsAfterFailures() = BrokenRenderer("threads-after-failures") { frame, sink ->
-        val pool = Executors.newSingleThreadExecutor { work -> Thread(work).also { it.isDaemon = true } }
-        pool.submit {}
-        ZBuffer().render(frame, sink).also { pool.shutdown() }
-    }
-
-    fun keepsFailures(): BrokenRenderer {
-        val failures = ArrayList<ByteArray>()
-        return BrokenRenderer("keeps-failures") { frame, sink ->
-            failures.add(ByteArray(64))
-            ZBuffer().render(frame, sink).also { failures.removeLast() }
-        }
-    }
-
-    fun keepsConfigured(): BrokenRenderer {
-        val kept = HashMap<RenderOptions, ZBuffer>()
-        return BrokenRenderer(
-            "keeps-configured",
-            options = { kept.getOrPut(it) { ZBuffer() } },
-        ) { frame, sink -> ZBuffer().render(frame, sink) }
     }
 
     fun countsHalfTheDepths() = counting("counts-half-the-depths") { depthEvaluations = maxOf(depthEvaluations / 2, 0) }
@@ -86,15 +56,6 @@ internal object BrokenFailures {
         val counters = Lists(options.withSelector(counted)).render(frame, sink)
         counters.toBuilder().apply { shadingCalls -= calls.get() }.build()
     }
-
-    fun keepsANumberForEachRow() =
-        BrokenRenderer("keeps-a-number-for-each-row", setOf(Capability.CONSTANT_MEMORY)) { frame, sink ->
-            val firsts = IntArray(frame.height)
-            LazyZBuffer().render(frame) { y, argb, depth, primitive ->
-                firsts[y - frame.region.rowStart] = primitive[0]
-                sink.row(y, argb, depth, primitive)
-            }.also { firsts.fill(0) }
-        }
 
     fun leavesTasks(): BrokenRenderer = leavesTasks(RenderOptions())
 

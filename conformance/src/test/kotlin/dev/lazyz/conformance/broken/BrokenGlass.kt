@@ -6,7 +6,6 @@ import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
-import dev.lazyz.Rgba
 import dev.lazyz.Selector
 import dev.lazyz.ShadingCursor
 import dev.lazyz.strategies.lists.Lists
@@ -15,32 +14,6 @@ import dev.lazyz.strategies.lists.Lists
 object BrokenGlass {
     /** A fragment of alpha 0 adds 0 times its light. */
     fun zeroTimesInfinity() = blending("zero-times-infinity") { cell -> blend(cell, isAdded = { true }) }
-
-    /** Where all weights are 0, the colour is black. */
-    fun backdropLostAtAlpha0() = blending("backdrop-lost-at-alpha-0") { cell ->
-        blend(cell, isShownAsItIs = { it > 0f })
-    }
-
-    /** All sums and the division in double precision. */
-    fun blendsInDouble() = blending("blends-in-double") { cell ->
-        if (!cell.isTranslucent(0)) return@blending cell.show(0)
-        var transmittance = 1.0
-        val sums = DoubleArray(4)
-        fun add(color: Rgba) {
-            val weight = transmittance * color.alpha.coerceIn(0f, 1f)
-            for ((i, it) in listOf(color.red, color.green, color.blue, 1f).withIndex()) sums[i] += weight * it
-            transmittance *= 1.0 - color.alpha.coerceIn(0f, 1f)
-        }
-        var i = 0
-        while (i < cell.size && cell.isTranslucent(i)) add(colorOf(cell.shade(i++)))
-        val backdrop = if (i < cell.size) colorOf(cell.shade(i)) else cell.background
-        if (sums[3] == 0.0) return@blending with(backdrop) { cell.show(0, red, green, blue, alpha) }
-        add(backdrop)
-        val (red, green, blue) = sums.take(3).map { (it / sums[3]).toFloat() }
-        cell.show(0, red, green, blue, sums[3].toFloat())
-    }
-
-    private fun colorOf(fragment: Fragment) = with(fragment) { Rgba(red, green, blue, alpha) }
 
     fun stopsEarly() = blending("stops-early") { cell -> blend(cell, isOpen = { it > 1e-7f }) }
 
@@ -57,17 +30,6 @@ object BrokenGlass {
 
     /** Converts NaN to 1. */
     fun nanIsWhite() = primitives("nan-is-white") { Whitened(it) }
-
-    /** Removes primitives whose bounds are outside the region before it checks for translucent ones. */
-    fun refusesOnlyInTheRegion() = drawing("refuses-only-in-the-region") { frame ->
-        val region = frame.region
-        frame.keeping {
-            with(frame.primitives[it]) {
-                rowStart < region.rowEnd && rowEnd > region.rowStart &&
-                    columnStart < region.columnEnd && columnEnd > region.columnStart
-            }
-        }
-    }
 
     private class Whitened(private val whole: Primitive) : Primitive by whole {
         override fun shade(fragment: Fragment) {

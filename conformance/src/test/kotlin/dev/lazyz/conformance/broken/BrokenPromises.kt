@@ -5,12 +5,10 @@ import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Image
-import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
-import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.hybrid.Hybrid
 import dev.lazyz.strategies.lazy.LazyZBuffer
@@ -21,25 +19,6 @@ import dev.lazyz.strategies.zbuffer.ZBuffer
 /** Renderers that are correct but declare too many capabilities, or count incorrectly. */
 object BrokenPromises {
     fun memoryGrows() = claiming("memory-grows-with-rows", Capability.CONSTANT_MEMORY, ZBuffer())
-
-    /** Counts spans as they are, although parts of them are outside the columns of the region. */
-    fun countsOutsideTheRegion() = BrokenRenderer("counts-outside-the-region") { frame, sink ->
-        var more = 0L
-        val region = frame.region
-        val heard = frame.primitives.map { primitive ->
-            object : Recovered(primitive) {
-                override fun spans(y: Int, spans: Spans) {
-                    whole.spans(y, spans)
-                    val all = Spans().also { whole.spans(y, it) }
-                    for (i in 0 until all.count) {
-                        val inside = minOf(all.end(i), region.columnEnd) - maxOf(all.start(i), region.columnStart)
-                        more += all.end(i) - all.start(i) - maxOf(inside, 0)
-                    }
-                }
-            }
-        }
-        ZBuffer().render(Frame(frame.raster, heard, region), sink).toBuilder().apply { fragments += more }.build()
-    }
 
     /** Promises to stay within a budget, but holds as much as the image once more, and reports it. */
     fun holdsTheImageTwice(): BrokenRenderer = holdsTheImageTwice(RenderOptions())
@@ -56,33 +35,9 @@ object BrokenPromises {
         }.toBuilder().apply { peakBytes += Int.SIZE_BYTES.toLong() * copy.size }.build()
     }
 
-    /** Keeps all rows, although it declares constant memory. */
-    fun keepsRows() = BrokenRenderer("keeps-rows", setOf(Capability.CONSTANT_MEMORY)) { frame, sink ->
-        val kept = ArrayList<IntArray>()
-        LazyZBuffer().render(frame) { y, argb, depth, primitive ->
-            kept.add(argb.copyOf())
-            sink.row(y, kept.last(), depth, primitive)
-        }
-    }
-
     fun buffersRows() = claiming("buffers-rows", Capability.STREAMS_ROWS, ZBuffer())
 
     private val stepping = setOf(Capability.SHADES_ONLY_VISIBLE, Capability.COHERENCE)
-
-    fun startsTooOften() = BrokenRenderer(
-        "starts-too-often",
-        stepping,
-        options = { options ->
-            BrokenRenderer("starts-too-often", stepping) { frame, sink ->
-                val cheap = frame.primitives.map { CheapStarts(it) }
-                LazyZBuffer(options).render(Frame(frame.raster, cheap, frame.region), sink)
-            }
-        },
-    ) { frame, sink -> LazyZBuffer().render(frame, sink) }
-
-    private class CheapStarts(private val primitive: Primitive) : Primitive by primitive {
-        override val shadingStartCost: Int get() = maxOf(0, primitive.shadingStartCost - 1)
-    }
 
     fun keepsStepping(): BrokenRenderer = keepsStepping(RenderOptions())
 
@@ -134,23 +89,6 @@ object BrokenPromises {
             sink.row(y, argb, depth, primitive)
         }
     }
-
-    /** Finishes the picture although the sink has failed. */
-    fun ignoresTheStop() = BrokenRenderer("ignores-the-stop", setOf(Capability.STREAMS_ROWS)) { frame, sink ->
-        var isOver = false
-        try {
-            LazyZBuffer().render(frame, sink).also { isOver = true }
-        } finally {
-            if (!isOver) LazyZBuffer().render(frame) { _, _, _, _ -> }
-        }
-    }
-
-    /** As many threads as the machine has, or two, whatever the options say. */
-    fun takesMoreThreads() = BrokenRenderer(
-        "takes-more-threads",
-        setOf(Capability.PARALLEL),
-        options = { Tiled().configured(RenderOptions(threads = 4, tileSize = 8)) },
-    ) { frame, sink -> Tiled().render(frame, sink) }
 
     fun notParallel() = claiming("not-parallel", Capability.PARALLEL, ZBuffer())
 

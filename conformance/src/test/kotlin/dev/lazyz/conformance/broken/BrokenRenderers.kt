@@ -5,7 +5,6 @@ import dev.lazyz.Cell
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
-import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
@@ -94,12 +93,6 @@ object BrokenRenderers {
         }
     }
 
-    /** Counts only visible primitives. */
-    fun countsTheVisible() = counting("counts-the-visible") { image ->
-        primitives =
-            image.primitive.distinct().size.toLong()
-    }
-
     /** Counts a shading call that never happens. */
     fun countsACallTooMany() = counting("counts-a-call-too-many") { shadingCalls++ }
 
@@ -108,19 +101,6 @@ object BrokenRenderers {
 
     /** The whole raster, whatever the region. */
     fun ignoresTheRegion() = drawing("ignores-the-region") { Frame(it.raster, it.primitives) }
-
-    /** Renders another picture when it is configured. */
-    fun pictureDependsOnOptions() = BrokenRenderer("picture-depends-on-options", options = {
-        lastWinsTies()
-    }) { frame, sink ->
-        ZBuffer().render(frame, sink)
-    }
-
-    /** The eager z-buffer with capabilities that it does not have. */
-    fun shadesMoreThanItPromises() =
-        BrokenRenderer("shades-more-than-it-promises", setOf(Capability.SHADES_ONLY_VISIBLE)) { frame, sink ->
-            ZBuffer().render(frame, sink)
-        }
 
     /** Treats translucent primitives as opaque instead of rejecting them. */
     fun translucentAsOpaque() = drawing("translucent-as-opaque") { it.asOpaque() }
@@ -133,38 +113,11 @@ object BrokenRenderers {
     /** The order of sums of textbooks, from the back: the same except for the last bits. */
     fun blendsFromTheBack() = blending("blends-from-the-back") { cell -> over(cell, cell.upToBackdrop().reversed()) }
 
-    /** Also blends what is behind an opaque fragment. */
-    fun blendsBehindTheBackdrop() = blending("blends-behind-the-backdrop") { cell ->
-        over(cell, (0 until cell.size).filter { it == 0 || cell.isTranslucent(it) }.reversed())
-    }
-
-    /** Blends correctly, but shows the depth of the farthest fragment. */
-    fun depthOfTheBackdrop() = blending("depth-of-the-backdrop") { cell ->
-        val right = SeenThrough(cell)
-        Selector.blend().select(right)
-        val last = cell.upToBackdrop().last()
-        right.color?.let { cell.show(last, it.red, it.green, it.blue, it.alpha) } ?: cell.show(0)
-    }
-
-    /** Rounds to 8 bits per component after each blend. */
-    fun blendsInEightBits() = blending("blends-in-eight-bits") { cell ->
-        over(cell, cell.upToBackdrop().reversed()) { Rgba.ofArgb(it.toArgb()) }
-    }
-
     /** Fails without primitives. */
     fun needsAPrimitive() = drawing("needs-a-primitive") { frame -> frame.also { it.primitives.first() } }
 
     /** Fails on a single column. */
     fun needsTwoColumns() = drawing("needs-two-columns") { frame -> frame.also { check(it.raster.width > 1) } }
-
-    /** Records the colour that a selector shows. */
-    private class SeenThrough(private val cell: Cell) : Cell by cell {
-        var color: Rgba? = null
-
-        override fun show(i: Int, red: Float, green: Float, blue: Float, alpha: Float) {
-            color = Rgba(red, green, blue, alpha)
-        }
-    }
 
     private fun Cell.upToBackdrop(): List<Int> {
         val backdrop = (0 until size).firstOrNull { !isTranslucent(it) } ?: (size - 1)

@@ -96,16 +96,6 @@ internal object BrokenReuse {
         }
     }
 
-    /** With a budget, the colour 0 of a primitive that came alone stands for one that is still to be computed. */
-    fun zeroIsNoColour(): BrokenRenderer = BudgetStream("zero-is-no-colour") { options, drawing ->
-        object : Drawing by drawing {
-            override fun finish(sink: RowSink): Counters = drawing.finish { y, argb, depth, primitive ->
-                val wrong = if (options.memoryBudget == null) 0 else WHITE
-                sink.row(y, IntArray(argb.size) { if (argb[it] == 0) wrong else argb[it] }, depth, primitive)
-            }
-        }
-    }
-
     /** Keeps to a budget, but draws primitives that come one by one into what [make] returns. */
     private class BudgetStream(
         id: String,

@@ -8,48 +8,16 @@ import dev.lazyz.Shader
 import dev.lazyz.strategies.lists.Lists
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.material.TextureFilter
-import dev.lazyz.world.material.TextureWrap
 
 /** Renderers that are correct except for normals, light, textures, masks and blending. */
 object BrokenShading {
     fun normalsNotTurned() = wrong("normals-not-turned", Inside.Companion::turnNormals)
 
-    fun equalNormalsNotTurned() = wrong("equal-normals-not-turned") { inside, changes ->
-        if (inside.hasEqual(Inside.NORMAL, 3)) Inside.turnNormals(inside, changes)
-    }
-
     fun highlightsLost() = wrong("highlights-lost", Inside.Companion::loseHighlight)
-
-    fun emissionLost() = wrong("emission-lost", Inside.Companion::loseEmission)
-
-    fun nearestTexel() = wrong("nearest-texel", Inside.Companion::readNearest)
-
-    fun clampsColumns() = wrong("clamps-columns") { inside, changes ->
-        inside.texture?.let { changes.set(it, "wrapU", TextureWrap.CLAMP) }
-    }
-
-    fun flatInterpolation() = wrong("interpolates-on-the-screen", Inside.Companion::interpolateOnScreen)
-
-    /** More than a cutoff is rounded by, and less than one step of a texture's alpha. */
-    private const val ABOVE = 1f + 1f / (1 shl 16)
-
-    fun strictMask() = wrong("mask-is-strict") { inside, changes ->
-        inside.mask?.let { changes.set(it, "cutoff", (Inside.read(it, "cutoff") as Float) * ABOVE) }
-    }
 
     fun vertexAlphaIgnored() = blending("vertex-alpha-ignored") { inside, changes ->
         inside.eachCorner { data, at -> changes.setNumber(data, at + Inside.COLOR + 3, 1.0) }
     }
-
-    /** Omits blended surfaces seen from behind. */
-    fun blendsFrontFacesOnly() =
-        BrokenRenderer("blends-front-faces-only", setOf(Capability.TRANSPARENCY)) { frame, sink ->
-            val front = frame.keeping { i ->
-                val primitive = frame.primitives[i]
-                !primitive.isTranslucent || !Inside(primitive).isWoundClockwise
-            }
-            Lists().render(front, sink)
-        }
 
     /** Renders correctly, but primitives that are changed by [change]. */
     internal fun wrong(id: String, change: (Inside, Changes) -> Unit) = BrokenRenderer(id) { frame, sink ->
@@ -135,23 +103,6 @@ internal class Inside(primitive: Primitive) {
 
     /** The material's texture, or null. */
     val texture: Any? get() = material?.let { read(it, "textureMap") }?.let { read(it, "texture") }
-
-    /** Whether the reference triangle is clockwise on the screen. */
-    val isWoundClockwise: Boolean
-        get() {
-            if (!isPlanar) return false
-            val reference = checkNotNull(read(checkNotNull(core), "reference"))
-            fun number(name: String) = (read(reference, name) as Int).toLong()
-            val (x, y) = number("x0") to number("y0")
-            return (number("x1") - x) * (number("y2") - y) - (number("x2") - x) * (number("y1") - y) > 0
-        }
-
-    /** Whether the [size] numbers from [field] on are equal at all corners. */
-    fun hasEqual(field: Int, size: Int): Boolean {
-        val corners = ArrayList<List<Double>>()
-        eachCorner { data, at -> corners.add((0 until size).map { data[at + field + it] }) }
-        return corners.distinct().size == 1
-    }
 
     /** Calls [action] with the numbers of each corner of the reference triangle, and their first index. */
     fun eachCorner(action: (data: DoubleArray, at: Int) -> Unit) {

@@ -79,15 +79,6 @@ object BrokenSizes {
         sort(values, smaller + 1, end)
     }
 
-    /** The first column of a tile of 256 is a copy of the one before. */
-    fun seamAt256() = painting("seam-at-256") { image, _ ->
-        val first = image.region.columnStart
-        val argb = IntArray(image.argb.size) {
-            image.argb[if ((first + it % image.width) % 256 == 0 && it % image.width > 0) it - 1 else it]
-        }
-        Image(image.region, argb, image.depth, image.primitive, image.counters)
-    }
-
     /** A row is processed in two pieces if it has a million fragments; the second lacks what began in the first. */
     fun forgetsWhatBeganBefore() = drawing("forgets-what-began-before") { frame ->
         val second = frame.region.columnStart + 1_000_000 / maxOf(frame.primitives.size, 1)

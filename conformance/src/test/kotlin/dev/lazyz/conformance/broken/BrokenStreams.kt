@@ -11,51 +11,10 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.StreamingRenderer
-import dev.lazyz.conformance.cases.NothingThere
-import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
 
 /** Renderers that are right for frames, but wrong for primitives that arrive one by one, or for unsupported options. */
 object BrokenStreams {
-    fun forgetsTheLast() = stream("stream-forgets-the-last") { begin ->
-        val drawing = begin()
-        object : Drawing {
-            private var last: Primitive? = null
-
-            override fun add(primitive: Primitive) {
-                last?.let(drawing::add)
-                last = primitive
-            }
-
-            override fun finish(sink: RowSink): Counters = drawing.finish(sink)
-        }
-    }
-
-    fun drawsOnOneCanvas(): BrokenRenderer {
-        var common: Drawing? = null
-        return stream("stream-on-one-canvas") { begin ->
-            val drawing = common ?: begin().also { common = it }
-            object : Drawing by drawing {
-                override fun finish(sink: RowSink): Counters {
-                    val first = common
-                    common = null
-                    return if (first === drawing) Counters.NONE else drawing.finish(sink)
-                }
-            }
-        }
-    }
-
-    fun countsTheRefused() = stream("stream-counts-the-refused") { begin ->
-        val drawing = begin()
-        object : Drawing by drawing {
-            override fun add(primitive: Primitive) = try {
-                drawing.add(primitive)
-            } catch (e: IllegalArgumentException) {
-                drawing.add(NothingThere(Raster(1, 1)))
-                throw e
-            }
-        }
-    }
 
     fun namesTheFirst() = stream("stream-names-the-first") { begin ->
         val drawing = begin()
@@ -116,66 +75,9 @@ object BrokenStreams {
         }
     }
 
-    fun continuesAfterAFailure() = stream("stream-continues-after-a-failure") { begin ->
-        var drawing = begin()
-        object : Drawing {
-            override fun add(primitive: Primitive) {
-                try {
-                    drawing.add(primitive)
-                } catch (e: IllegalArgumentException) {
-                    throw e
-                } catch (e: IllegalStateException) {
-                    drawing = begin()
-                    throw e
-                }
-            }
-
-            override fun finish(sink: RowSink): Counters = drawing.finish(sink)
-        }
-    }
-
-    /** Collects all rows, and ends the image when the sink has accepted the last one. */
-    fun finishesAgain() = stream("stream-finishes-again") { begin ->
-        val drawing = begin()
-        object : Drawing {
-            private val rows = ArrayList<(RowSink) -> Unit>()
-            private var counters: Counters? = null
-            private var hasEnded = false
-
-            override fun add(primitive: Primitive) {
-                check(counters == null) { "finished" }
-                drawing.add(primitive)
-            }
-
-            override fun finish(sink: RowSink): Counters {
-                check(!hasEnded) { "finished" }
-                val counted = counters ?: drawing.finish { y, argb, depth, primitive ->
-                    val (colors, depths, indices) = listOf(argb, depth, primitive).map { it.copyOf() }
-                    rows.add { it.row(y, colors, depths, indices) }
-                }.also { counters = it }
-                for (row in rows) row(sink)
-                hasEnded = true
-                return counted
-            }
-        }
-    }
-
     fun keepsWhatArrives(): BrokenRenderer {
         val begun = ArrayList<Long>()
         return stream("stream-keeps-a-note") { begin -> begin().also { begun.add(System.nanoTime()) } }
-    }
-
-    fun storesWhatArrives() = stream("stream-stores-primitives", setOf(Capability.STREAMS_PRIMITIVES)) { begin ->
-        val drawing = begin()
-        val stored = ArrayList<Primitive>()
-        object : Drawing {
-            override fun add(primitive: Primitive) {
-                drawing.add(primitive)
-                stored.add(primitive)
-            }
-
-            override fun finish(sink: RowSink): Counters = drawing.finish(sink).also { stored.clear() }
-        }
     }
 
     fun ignoresTheRegion(): BrokenRenderer = WholeStream()
@@ -184,34 +86,6 @@ object BrokenStreams {
         BrokenRenderer("stream-ignores-the-region", how = { frame, sink -> ZBuffer().render(frame, sink) }),
         StreamingRenderer {
         override fun begin(raster: Raster, region: Region): Drawing = ZBuffer().begin(raster, raster.region)
-    }
-
-    /** What arrives one by one waits for others, for each thread one, and what still waits at the end is forgotten. */
-    fun forgetsWhatWaits(): BrokenRenderer = WaitingStream(1)
-
-    private class WaitingStream(private val threads: Int) :
-        BrokenRenderer(
-            "stream-forgets-what-waits",
-            setOf(Capability.PARALLEL),
-            { WaitingStream(it.threads) },
-            { frame, sink -> Tiled(RenderOptions(threads = threads)).render(frame, sink) },
-        ),
-        StreamingRenderer {
-        override fun begin(raster: Raster, region: Region): Drawing {
-            val drawing = ZBuffer().begin(raster, region)
-            val waiting = ArrayList<Primitive>()
-            return object : Drawing {
-                override fun add(primitive: Primitive) {
-                    require(!primitive.isTranslucent) { "primitive 0 is translucent: make it opaque" }
-                    waiting.add(primitive)
-                    if (waiting.size < threads) return
-                    waiting.forEach(drawing::add)
-                    waiting.clear()
-                }
-
-                override fun finish(sink: RowSink): Counters = drawing.finish(sink)
-            }
-        }
     }
 
     fun ignoresOptions(): BrokenRenderer =

@@ -6,16 +6,8 @@ import dev.lazyz.world.AmbientVisibility
 internal object LightMistakes {
     fun loseVisibility(inside: Inside, changes: Changes) = eachOwner(inside) { changes.set(it, VISIBILITY, null) }
 
-    /** Multiplies the ambient light of all materials by it, except that of metallic-roughness materials. */
-    fun loseVisibilityOfMetals(inside: Inside, changes: Changes) {
-        inside.shader?.let { changes.set(physical(it), VISIBILITY, null) }
-    }
-
     /** Looks from the other side of the surface. */
     fun turnVisibility(inside: Inside, changes: Changes) = replaceVisibility<Turned>(inside, changes) { Turned(it) }
-
-    /** Uses the visibility of the point that was lit before. */
-    fun delayVisibility(inside: Inside, changes: Changes) = replaceVisibility<Delayed>(inside, changes) { Delayed(it) }
 
     /** No light is stronger than 1. */
     fun dimLights(inside: Inside, changes: Changes) = eachLight(inside) { numbers, at ->
@@ -35,12 +27,6 @@ internal object LightMistakes {
 
     fun loseEnvironment(inside: Inside, changes: Changes) {
         inside.shader?.let { changes.set(physical(it), "studio", null) }
-    }
-
-    /** The studio is not brighter than 1. */
-    fun dimStudio(inside: Inside, changes: Changes) {
-        val studio = inside.shader?.let { Inside.read(physical(it), "studio") } ?: return
-        changes.set(studio, "intensity", minOf(Inside.read(studio, "intensity") as Float, 1f))
     }
 
     private inline fun <reified T : AmbientVisibility> replaceVisibility(
@@ -78,15 +64,6 @@ internal object LightMistakes {
     private class Turned(private val own: AmbientVisibility) : AmbientVisibility {
         override fun at(x: Float, y: Float, z: Float, normalX: Float, normalY: Float, normalZ: Float) =
             own.at(x, y, z, -normalX, -normalY, -normalZ)
-    }
-
-    private class Delayed(private val own: AmbientVisibility) : AmbientVisibility {
-        private var last = Float.NaN
-
-        override fun at(x: Float, y: Float, z: Float, normalX: Float, normalY: Float, normalZ: Float): Float {
-            val next = own.at(x, y, z, normalX, normalY, normalZ)
-            return (if (last.isNaN()) next else last).also { last = next }
-        }
     }
 
     private const val VISIBILITY = "visibility"

@@ -30,32 +30,10 @@ internal val blendMistakes: List<Stranger> = listOf(
             }
         }
     },
-    Stranger(
-        "blend-adds-alpha-0",
-        "a fragment of alpha 0 is added with weight 0; shows where its colour is infinite or NaN",
-        setOf("5.5"),
-    ) {
-        mixing {
-            object : Mixture() {
-                override fun isPassedOver(opacity: Float): Boolean = false
-            }
-        }
-    },
     Stranger("blend-alpha-not-clamped", "alpha above 1 and NaN are used as they are", setOf("5.5")) {
         mixing {
             object : Mixture() {
                 override fun opacity(alpha: Float): Float = maxOf(alpha, 0f)
-            }
-        }
-    },
-    Stranger(
-        "blend-premultiplied",
-        "sums are not divided by the weights; shows over a background with alpha",
-        setOf("5.5"),
-    ) {
-        mixing {
-            object : Mixture() {
-                override fun divide() = Unit
             }
         }
     },
@@ -97,81 +75,6 @@ internal val blendMistakes: List<Stranger> = listOf(
                 over.end(last.red, last.green, last.blue, last.alpha)
             } else {
                 over.end(background.red, background.green, background.blue, background.alpha)
-            }
-        }
-    },
-    Stranger(
-        "blend-last-translucent-is-backdrop",
-        "without an opaque fragment the last is the backdrop",
-        setOf("5.5"),
-    ) {
-        lists { frame, selector ->
-            object : ListDrawing(frame, selector) {
-                override fun blend() {
-                    val over = mixture()
-                    var i = 0
-                    while (i < size - 1 && isTranslucent(i) && over.isOpen) over.add(shade(i++))
-                    blendBackdrop(over, i)
-                    show(0, over.red, over.green, over.blue, over.alpha)
-                }
-            }
-        }
-    },
-    Stranger("blend-goes-on-behind-opaque", "opaque fragments are blended like others, by their alpha", setOf("5.5")) {
-        lists { frame, selector ->
-            object : ListDrawing(frame, selector) {
-                override fun blend() {
-                    val over = mixture()
-                    var i = 0
-                    while (i < size && over.isOpen) over.add(shade(i++))
-                    blendBackdrop(over, size)
-                    show(0, over.red, over.green, over.blue, over.alpha)
-                }
-            }
-        }
-    },
-    Stranger(
-        "blend-depth-of-backdrop",
-        "depth and primitive are those of the first opaque fragment, if there is one",
-        setOf("5.5"),
-    ) {
-        lists { frame, selector ->
-            object : ListDrawing(frame, selector) {
-                override fun blend() {
-                    super.blend()
-                    val opaque = (0 until size).firstOrNull { !isTranslucent(it) } ?: return
-                    place(opaque)
-                }
-            }
-        }
-    },
-    Stranger(
-        "blend-depth-of-seen",
-        "depth and primitive are those of the first fragment whose alpha is not 0",
-        setOf("5.5"),
-    ) {
-        lists { frame, selector ->
-            object : ListDrawing(frame, selector) {
-                override fun blend() {
-                    super.blend()
-                    val calls = counters.shadingCalls
-                    val seen = (0 until size).firstOrNull { shade(it).alpha > 0f } ?: 0
-                    counters.shadingStarts -= counters.shadingCalls - calls
-                    counters.shadingCalls = calls
-                    place(seen)
-                }
-            }
-        }
-    },
-    Stranger(
-        "blend-two-of-a-tie-once",
-        "of translucent fragments of one depth only the first is blended",
-        setOf("5.5"),
-    ) {
-        lists { frame, selector ->
-            object : ListDrawing(frame, selector) {
-                override fun sorted(keys: LongArray): LongArray =
-                    super.sorted(keys).distinctBy { it ushr 32 }.toLongArray()
             }
         }
     },

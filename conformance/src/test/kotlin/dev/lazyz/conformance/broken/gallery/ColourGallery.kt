@@ -1,7 +1,6 @@
 package dev.lazyz.conformance.broken.gallery
 
 import dev.lazyz.conformance.broken.BrokenColours
-import dev.lazyz.conformance.broken.BrokenDepths
 import dev.lazyz.conformance.broken.BrokenGlass
 import dev.lazyz.conformance.broken.BrokenRenderers
 import dev.lazyz.conformance.broken.gallery.RuleNames.blend
@@ -13,9 +12,7 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.own
 import dev.lazyz.conformance.broken.gallery.RuleNames.packed
 import dev.lazyz.conformance.broken.gallery.RuleNames.pointsBlend
 import dev.lazyz.conformance.broken.gallery.RuleNames.refuse
-import dev.lazyz.conformance.broken.gallery.RuleNames.refuseHidden
 import dev.lazyz.conformance.broken.gallery.RuleNames.rounded
-import dev.lazyz.conformance.broken.gallery.RuleNames.scenes
 import dev.lazyz.conformance.broken.gallery.RuleNames.showing
 import dev.lazyz.conformance.broken.gallery.RuleNames.tests
 import dev.lazyz.conformance.broken.gallery.RuleNames.ties
@@ -46,49 +43,22 @@ internal object ColourGallery {
             flecks,
         ),
         Mutant(
-            BrokenColours::oneColourWithoutCursor,
-            "shades every eighth column of primitives without a shading cursor",
-            flecks,
-        ),
-        Mutant(
             BrokenColours::keepsColours,
             "shows the colour of the fragment shaded before where a primitive sets no colour",
             unset,
         ),
-        Mutant(BrokenColours::premultiplied, "delivers colours multiplied by alpha", nearest),
-        Mutant(BrokenColours::alphaLost, "delivers opaque colours", nearest),
-        Mutant(BrokenDepths::mergesEqualColours, "neighbours of one colour get one depth", scenes),
         Mutant(BrokenColours::oneStepShort, "a stepped colour is one step short", options),
-        Mutant(BrokenColours::oneStepTooMany, "a stepped colour is one step too far", options),
         Mutant(BrokenRenderers::blendsAsSubmitted, "blends in the order of submission", blend, pointsBlend),
         Mutant(BrokenRenderers::blendsFromTheBack, "blends from the back, which rounds differently", blend),
-        Mutant(BrokenRenderers::blendsInEightBits, "blends into 8 bits a component, over and over", blend),
-        Mutant(BrokenRenderers::blendsBehindTheBackdrop, "also blends fragments behind an opaque fragment", blend),
-        Mutant(
-            BrokenRenderers::depthOfTheBackdrop,
-            "blends correctly, but delivers the depth of the farthest fragment",
-            blend,
-        ),
         Mutant(
             BrokenGlass::zeroTimesInfinity,
             "adds fragments with alpha 0, so that infinite light becomes NaN",
             extremes,
         ),
-        Mutant(
-            BrokenGlass::backdropLostAtAlpha0,
-            "where all fragments have alpha 0, the result is black instead of the backdrop",
-            extremes,
-        ),
-        Mutant(BrokenGlass::blendsInDouble, "blends in double precision", rounded),
         Mutant(BrokenGlass::stopsEarly, "stops blending at a transmittance of 1e-7", rounded),
         Mutant(BrokenGlass::multipliesByTheReciprocal, "multiplies sums by the reciprocal of the weights", rounded),
         Mutant(BrokenGlass::nanIsWhite, "NaN is packed as white", packed),
         Mutant(BrokenGlass::shadesAhead, "shades all translucent fragments before it blends", showing),
-        Mutant(
-            BrokenGlass::refusesOnlyInTheRegion,
-            "refuses translucent primitives only if they are within the region",
-            refuseHidden,
-        ),
         Mutant(
             BrokenRenderers::translucentAsOpaque,
             "draws translucent primitives as if they were opaque, without an error",

@@ -17,10 +17,7 @@ internal object CoverageGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(BrokenRenderers::spanEndsEarly, "every span lacks its last column", nearest, scenes, narrow, points),
         Mutant(BrokenCoverage::spansStartLate, "every span lacks its first column", nearest, halves),
-        Mutant(BrokenCoverage::sharedEdgeTwice, "the column on a shared edge belongs to both sides", nearest, own),
-        Mutant(BrokenCoverage::firstSpanOnly, "only the first span of a row is drawn", nearest, own),
         Mutant(BrokenRenderers::gapsFilled, "one span a row, from the first start to the last end", nearest, own),
-        Mutant(BrokenCoverage::windingInverted, "holes are filled, and the area around them is not", nearest, own),
         Mutant(
             BrokenCoverage::tileColumnMissing,
             "the last column of each tile of 8 x 8 samples is not drawn",
@@ -33,7 +30,6 @@ internal object CoverageGallery {
         ),
         Mutant(BrokenCoverage::lateActivation, "primitives become active a row late", nearest, halves),
         Mutant(BrokenCoverage::earlyRetirement, "primitives end a row early", nearest, halves),
-        Mutant(BrokenCoverage::staleActiveEdge, "an edge stays active in the row after its end", nearest, scenes),
         Mutant(BrokenRenderers::linearFormsOnly, "primitives without a linear form are not drawn", own, lines),
         Mutant(
             BrokenCoverage::singleSamplesLost,

@@ -12,7 +12,6 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.index
 import dev.lazyz.conformance.broken.gallery.RuleNames.many
 import dev.lazyz.conformance.broken.gallery.RuleNames.nearest
 import dev.lazyz.conformance.broken.gallery.RuleNames.order
-import dev.lazyz.conformance.broken.gallery.RuleNames.own
 import dev.lazyz.conformance.broken.gallery.RuleNames.pairs
 import dev.lazyz.conformance.broken.gallery.RuleNames.parts
 import dev.lazyz.conformance.broken.gallery.RuleNames.scenes
@@ -24,46 +23,23 @@ internal object DepthAndOrderGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(BrokenRenderers::lastWinsTies, "compares with `<=` instead of `<`", ties, tests, pairs),
         Mutant(BrokenRenderers::usualTestOnly, "the usual depth test, whatever the raster says", tests, pairs),
-        Mutant(BrokenDepths::reversedTestsSwapTies, "where the greatest depth wins, ties go the wrong way", tests),
         Mutant(BrokenRenderers::lastSubmittedWins, "the painter's algorithm without its sort", nearest, scenes, order),
         Mutant(
             BrokenDepths::flatPrimitives,
             "whole primitives are sorted by their nearest depths, instead of comparing samples",
             nearest, hidden,
         ),
-        Mutant(BrokenDepths::spanComparedAtItsStart, "one comparison a span, at its start", nearest, scenes),
         Mutant(
             BrokenDepths::staleRejection,
             "a whole primitive is rejected if it is hidden at one sample",
             nearest, order,
         ),
         Mutant(
-            BrokenDepths::rejectsTies,
-            "a primitive as far as everything before it is rejected, although it wins ties",
-            tests,
-        ),
-        Mutant(
             BrokenDepths::rejectsByConvention,
             "rejects what is behind the background by the convention, whatever the depth test",
             tests, pairs,
         ),
-        Mutant(
-            BrokenDepths::signedKeys,
-            "keys with the upper bit of depth are compared as if they were signed",
-            nearest, scenes,
-        ),
-        Mutant(BrokenDepths::throughFloat, "depth goes through a float", nearest, scenes),
-        Mutant(BrokenDepths::in24Bits, "depth has 24 bits", nearest, own),
-        Mutant(BrokenDepths::formsInDouble, "linear forms are evaluated in floating point", own, nearest),
-        Mutant(
-            BrokenDepths::roundedDown,
-            "half a unit is subtracted, as if forms were not rounded yet",
-            nearest, scenes,
-        ),
-        Mutant(BrokenDepths::oneStepBehind, "depth along a span is one step behind", nearest, scenes),
-        Mutant(BrokenDepths::clampedToPlanes, "depth is clamped to the near and the far plane", own),
         Mutant(BrokenRenderers::backgroundAtInfinity, "a background that is always behind everything", background),
-        Mutant(BrokenDepths::backgroundLosesTies, "the background loses ties", background),
         Mutant(BrokenDepths::dropsEqualPrimitives, "a primitive that equals an earlier one is dropped", equal),
         Mutant(BrokenDepths::numbersByEquality, "the index is that of the first primitive that is equal", equal),
         Mutant(

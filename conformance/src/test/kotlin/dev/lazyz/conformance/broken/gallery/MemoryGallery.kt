@@ -25,7 +25,6 @@ internal object MemoryGallery {
             memory,
         ),
         Mutant(::storesPrimitives, "promises to stream primitives, but stores each in a list", arrivals),
-        Mutant(::notesPrimitives, "promises to stream primitives, but stores the bounds of each", arrivals),
         Mutant(BrokenPromises::reportsAByte, "reports one byte, whatever it holds", held),
         Mutant(::reportsTheBudgetAsKept, "ignores the memory budget, but reports that it is kept", heap),
         Mutant(
@@ -33,13 +32,7 @@ internal object MemoryGallery {
             "promises to stay within a budget, but holds the image twice, with any budget",
             heap, RuleNames.budget,
         ),
-        Mutant(BrokenReuse::keepsShortSpans, "keeps to the budget, but for the places of short spans", heap),
         Mutant(BrokenReuse::keepsHeavyPrimitives, "keeps all primitives that come one by one, in any budget", heap),
-        Mutant(
-            BrokenFailures::keepsANumberForEachRow,
-            "promises constant memory, but keeps four bytes for each row",
-            memory,
-        ),
         Mutant(BrokenFailures::leavesTasks, "leaves the executor a task that keeps the frame", kept),
         Mutant(::keepsTheLastFrame, "keeps the last frame until the next one comes", kept),
         Mutant(::keepsFailedFrames, "keeps frames that could not be rendered", kept),
@@ -53,13 +46,6 @@ internal object MemoryGallery {
         BrokenRenderer("stores-primitives", setOf(Capability.STREAMS_PRIMITIVES)) { frame, sink ->
             val hoard = ArrayList<Primitive>()
             ZBuffer().render(frame.heard { hoard.add(it) }, sink).also { hoard.clear() }
-        }
-
-    private fun notesPrimitives() =
-        BrokenRenderer("notes-primitives", setOf(Capability.STREAMS_PRIMITIVES)) { frame, sink ->
-            val rows = IntArray(frame.primitives.size)
-            var count = 0
-            ZBuffer().render(frame.heard { rows[count++ % rows.size] = it.rowStart }, sink).also { rows.fill(0) }
         }
 
     /** Returns the frame with primitives that are passed to [hear] one by one. */

@@ -4,7 +4,6 @@ import dev.lazyz.conformance.broken.BrokenColours
 import dev.lazyz.conformance.broken.BrokenFailures
 import dev.lazyz.conformance.broken.BrokenPromises
 import dev.lazyz.conformance.broken.BrokenRenderers
-import dev.lazyz.conformance.broken.BrokenReuse
 import dev.lazyz.conformance.broken.BrokenStreams
 import dev.lazyz.conformance.broken.gallery.RuleNames.among
 import dev.lazyz.conformance.broken.gallery.RuleNames.arrivals
@@ -21,47 +20,25 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.options
 import dev.lazyz.conformance.broken.gallery.RuleNames.parallel
 import dev.lazyz.conformance.broken.gallery.RuleNames.passes
 import dev.lazyz.conformance.broken.gallery.RuleNames.promise
-import dev.lazyz.conformance.broken.gallery.RuleNames.stepping
 import dev.lazyz.conformance.broken.gallery.RuleNames.steps
 import dev.lazyz.conformance.broken.gallery.RuleNames.streams
 import dev.lazyz.conformance.broken.gallery.RuleNames.sums
-import dev.lazyz.conformance.broken.gallery.RuleNames.together
 import dev.lazyz.conformance.broken.gallery.RuleNames.unpulled
 import dev.lazyz.conformance.broken.gallery.RuleNames.unsupported
 
 /** The gallery's part about counters and capabilities. */
 internal object PromisesGallery {
     val mutants: List<Mutant> = listOf(
-        Mutant(BrokenRenderers::countsTheVisible, "counts primitives that are visible", counts),
         Mutant(BrokenRenderers::countsACallTooMany, "counts a shading call that never happens", counts, empty),
         Mutant(BrokenRenderers::countsNoPasses, "does not count depth passes", passes),
         Mutant(BrokenPromises::reportsNoMemory, "does not report its working memory", memoryReport),
         Mutant(BrokenPromises::countsVisibleFragments, "counts visible samples as fragments", fragments),
-        Mutant(
-            BrokenPromises::countsOutsideTheRegion,
-            "counts spans as they are, although parts of them are outside the region",
-            fragments,
-        ),
         Mutant(BrokenPromises::countsRejectedTwice, "counts rejected fragments twice", fragments),
         Mutant(BrokenFailures::countsHalfTheDepths, "counts half of the depths that it computes", RuleNames.depths),
         Mutant(BrokenPromises::countsEveryTest, "counts every comparison as passed", among),
         Mutant(BrokenPromises::testsTheBackground, "computes depths where nothing is covered", among),
-        Mutant(
-            BrokenRenderers::shadesMoreThanItPromises,
-            "promises to shade only what is visible, but shades like a plain z-buffer",
-            promise,
-        ),
         Mutant(BrokenColours::shadesBeforeTheTest, "shades before the depth test", promise),
         Mutant(BrokenColours::shadesTwice, "shades each visible sample twice, and counts one", counts, promise),
-        Mutant(BrokenColours::alwaysSteps, "steps from sample to sample regardless of the options", steps),
-        Mutant(
-            BrokenPromises::startsTooOften,
-            "with ADAPTIVE, starts again at a gap that costs as much as a start",
-            stepping,
-        ),
-        Mutant(BrokenPromises::keepsStepping, "continues to step after options that turn stepping off", stepping),
-        Mutant(BrokenPromises::shadesGlassDirectly, "does not step in frames that blend", stepping),
-        Mutant(BrokenPromises::stepsOrSelects, "does not step if it has a selector", stepping),
         Mutant(BrokenPromises::reportsNoLayers, "does not report the memory of translucent layers", held),
         Mutant(
             BrokenPromises::keepsGlass,
@@ -70,28 +47,13 @@ internal object PromisesGallery {
         ),
         Mutant(BrokenColours::countsNoSteps, "does not count steps", steps),
         Mutant(BrokenColours::countsWholeChains, "counts the steps of a row as one chain", steps),
-        Mutant(BrokenStreams::forgetsTheLast, "draws a primitive when the next one arrives", oneByOne),
-        Mutant(BrokenStreams::drawsOnOneCanvas, "draws two images in progress into one", oneByOne),
-        Mutant(BrokenStreams::ignoresTheRegion, "draws the whole raster if primitives come one by one", oneByOne),
-        Mutant(
-            BrokenStreams::forgetsWhatWaits,
-            "with several threads, forgets the last of the primitives that come one by one",
-            together,
-        ),
-        Mutant(BrokenStreams::countsTheRefused, "gives an index to a primitive that it refuses", oneByOne),
         Mutant(BrokenStreams::drawsTheTranslucent, "draws translucent primitives as opaque ones", oneByOne),
         Mutant(BrokenStreams::deliversAgain, "delivers an image again when it is finished twice", ended),
-        Mutant(BrokenStreams::continuesAfterAFailure, "begins again after a primitive has failed", ended),
         Mutant(BrokenStreams::ignoresOptions, "ignores options that it does not support", unsupported),
         Mutant(BrokenStreams::refusesItsOwnOptions, "refuses options that it promises to support", unsupported),
         Mutant(
             BrokenPromises::memoryGrows,
             "promises constant memory, but reports memory that grows with the rows",
-            memory,
-        ),
-        Mutant(
-            BrokenPromises::keepsRows,
-            "promises constant memory, but keeps the rows and does not report it",
             memory,
         ),
         Mutant(BrokenPromises::buffersRows, "promises to stream rows, but buffers the picture", streams, unpulled),
@@ -101,30 +63,14 @@ internal object PromisesGallery {
             streams, unpulled,
         ),
         Mutant(
-            BrokenPromises::ignoresTheStop,
-            "promises to stream rows, but renders the rest after the sink has stopped",
-            unpulled,
-        ),
-        Mutant(
             BrokenPromises::keepsPrimitives,
             "promises to stream primitives, but stores and sorts all of them",
             arrivals,
         ),
         Mutant(BrokenPromises::notParallel, "promises to be parallel, but uses one thread", parallel),
-        Mutant(BrokenPromises::takesMoreThreads, "uses more threads than the options allow", parallel),
         Mutant(BrokenPromises::countsByThread, "counts work of its own for each thread", sums),
         Mutant(BrokenPromises::losesCounts, "loses the counts of all threads but one", sums),
         Mutant(BrokenPromises::budgetIgnored, "promises to stay within a budget, but ignores it", budget),
-        Mutant(
-            BrokenPromises::budgetIgnoredBySteps,
-            "promises to stay within a budget, but ignores it when shading steps along rows",
-            budget,
-        ),
-        Mutant(
-            BrokenReuse::zeroIsNoColour,
-            "with a budget, takes the colour 0 for one that is still to be computed",
-            budget,
-        ),
         Mutant(
             BrokenPromises::noColoursWithoutBudget,
             "with a memory budget of 0, all colours are missing",

@@ -21,7 +21,6 @@ internal object RuleNames {
     val lit = RendererConformance::rule_6_5_litAndTexturedScenesAreShadedCorrectly.name
     val footprints = RendererConformance::rule_6_6_texturesAreReadWithTheirOwnFootprints.name
     val refuse = RendererConformance::rule_5_6_renderersWithoutTransparencyRefuseTranslucentFrames.name
-    val refuseHidden = RendererConformance::rule_5_6_hiddenTranslucentPrimitivesAreRefused.name
     val extremes = RendererConformance::rule_5_5_extremesOfLightAndAlphaBlend.name
     val flecks = RendererConformance::rule_6_1_everySampleIsShadedSeparately.name
     val unset = RendererConformance::rule_6_1_coloursThatAreNotSetAreBlack.name

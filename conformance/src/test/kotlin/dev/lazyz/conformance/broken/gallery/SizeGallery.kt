@@ -19,17 +19,11 @@ import dev.lazyz.conformance.broken.gallery.RuleNames.together
 internal object CombinationGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(
-            BrokenCombinations::partsInSmallTiles,
-            "parts that begin within a small tile lack a column",
-            together, region,
-        ),
-        Mutant(
             BrokenCombinations::noBlendingInRegions,
             "nothing is blended if the region is a part of the raster",
             together,
         ),
         Mutant(BrokenCombinations::noBlendingWithThreads, "nothing is blended with several threads", together),
-        Mutant(BrokenCombinations::failureShowsLater, "with options, a failure damages the next picture", together),
     )
 }
 
@@ -82,7 +76,6 @@ internal object SizeGallery {
             "a row is processed in pieces of a million fragments, and a piece lacks spans of the one before",
             RuleNames.millionOfARow,
         ),
-        Mutant(BrokenSizes::seamAt256, "the first column of a tile of 256 is a copy of the one before", tiles),
         Mutant(BrokenSizes::sixteenSpans, "a primitive has at most 16 spans in a row", manySpans),
         Mutant(BrokenSizes::spansIn14Bits, "a primitive has at most 16,384 spans in a row", thousandsOfSpans),
         Mutant(BrokenSizes::blendsAMillionFragments, "a picture has at most a million translucent fragments", million),

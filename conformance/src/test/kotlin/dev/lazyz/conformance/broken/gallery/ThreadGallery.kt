@@ -28,7 +28,6 @@ internal object ThreadGallery {
     val mutants: List<Mutant> = listOf(
         Mutant(::sharesARow, "threads fill one row, and copy it when it is full", lost),
         Mutant(::sharesAFragment, "threads of one rendering share a fragment", lost),
-        Mutant(::sharesSpans, "threads of one rendering share spans", lost),
         Mutant(::losesUpdates, "threads compare and write the key of a sample without a lock", lost),
         Mutant(::sharesCounters, "threads count in the same counters without a lock", lostCounts),
         Mutant(::losesErrors, "an Error that is not an Exception ends its thread and is not reported", workers),
@@ -122,11 +121,6 @@ internal object ThreadGallery {
     private fun sharesAFragment() = crew("shares-a-fragment", 4) {
         val fragment = Fragment()
         Tools(fragment = { fragment })
-    }
-
-    private fun sharesSpans() = crew("shares-spans", 4) {
-        val spans = Spans()
-        Tools(spans = { spans })
     }
 
     private fun losesUpdates() = crew("loses-updates", 4) { Tools(isLocked = false) }

@@ -7,15 +7,12 @@ import dev.lazyz.conformance.broken.BrokenVariants
 /** The gallery's part about what is true only for opaque primitives, whole pictures or frames. */
 internal object VariantGallery {
     val mutants: List<Mutant> = listOf(
-        Mutant(BrokenVariants::cutsColumnsOfGlass, "columns of translucent fragments have 16 bits", RuleNames.far),
         Mutant(BrokenVariants::blendsThreeHundred, "blends at most 300 translucent primitives", RuleNames.thousand),
-        Mutant(BrokenVariants::keepsRowsOfGlass, "keeps all rows of translucent pictures", RuleNames.memory),
         Mutant(
             BrokenVariants::buffersGlass,
             "delivers the first row of a translucent picture after the last is rendered",
             RuleNames.streams, RuleNames.unpulled, RuleNames.memory,
         ),
-        Mutant(BrokenVariants::shadesAllInARegion, "counts hidden fragments as shaded in regions", RuleNames.promise),
         Mutant(BrokenVariants::oneThreadForGlass, "one thread for translucent pictures", RuleNames.parallel),
         Mutant(
             BrokenVariants::oneThreadTooManyForGlass,
@@ -42,12 +39,6 @@ internal object VariantGallery {
         Mutant(BrokenReuse::numbersALastGroup, "numbers the primitives of the last group from 0", RuleNames.counted),
         Mutant(BrokenReuse::numbersEachPart, "numbers primitives of streamed parts from 0", RuleNames.streamed),
         Mutant(BrokenReuse::streamsAsOpaque, "draws streamed parts as if they were opaque", RuleNames.streamed),
-        Mutant(BrokenStreams::finishesAgain, "delivers an image again if the sink has refused it", RuleNames.ended),
         Mutant(BrokenStreams::keepsWhatArrives, "keeps a note of each picture that it begins", RuleNames.leaks),
-        Mutant(
-            BrokenStreams::storesWhatArrives,
-            "promises to stream primitives, but stores those that arrive one by one",
-            RuleNames.arrivals,
-        ),
     )
 }
