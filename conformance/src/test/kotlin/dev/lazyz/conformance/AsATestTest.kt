@@ -1,10 +1,10 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
-import dev.lazyz.conformance.broken.BrokenPromises
-import dev.lazyz.conformance.broken.WrongColors
-import dev.lazyz.conformance.broken.gallery.RunGallery
 import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.mutants.DisruptiveRenderers
+import dev.lazyz.conformance.mutants.WrongColors
+import dev.lazyz.conformance.mutants.wrappers.PromiseMistakes
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.Waivers
@@ -45,12 +45,12 @@ class AsATestTest {
 
     /** Also ignored by build tools. */
     class Secretive : RendererConformance() {
-        override fun renderer(): Renderer = BrokenPromises.reportsNoMemory()
+        override fun renderer(): Renderer = PromiseMistakes.reportsNoMemory()
     }
 
     /** Never ends, but runs a little now and then, so that it is not known whether it is too slow. */
     class Dozing : RendererConformance() {
-        override fun renderer(): Renderer = RunGallery.dozes()
+        override fun renderer(): Renderer = DisruptiveRenderers.dozes()
     }
 
     /** What rules publish, by their names. */

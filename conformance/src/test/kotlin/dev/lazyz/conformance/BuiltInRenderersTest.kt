@@ -1,10 +1,10 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
-import dev.lazyz.conformance.broken.gallery.RuleNames
 import dev.lazyz.conformance.census.Distribution
 import dev.lazyz.conformance.census.FrameTrait
 import dev.lazyz.conformance.census.PairsOfTraits
+import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.lists.Lists

@@ -1,7 +1,7 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.conformance.broken.PlainRenderer
 import dev.lazyz.conformance.fuzz.DifferentialFuzzing
+import dev.lazyz.conformance.mutants.PlainRenderer
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import java.nio.file.Files

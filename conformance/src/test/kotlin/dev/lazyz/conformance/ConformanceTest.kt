@@ -1,10 +1,10 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Capability
-import dev.lazyz.conformance.broken.PlainRenderer
-import dev.lazyz.conformance.broken.Throwing
-import dev.lazyz.conformance.broken.WrongColors
 import dev.lazyz.conformance.census.FrameTrait
+import dev.lazyz.conformance.mutants.PlainRenderer
+import dev.lazyz.conformance.mutants.Throwing
+import dev.lazyz.conformance.mutants.WrongColors
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.run.RunUnderWay

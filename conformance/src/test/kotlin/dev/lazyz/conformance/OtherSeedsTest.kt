@@ -1,11 +1,11 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
-import dev.lazyz.conformance.broken.UnusualRenderers
+import dev.lazyz.conformance.mutants.UnusualRenderers
+import dev.lazyz.conformance.mutants.skeletons.Skeletons
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.SuiteRule
-import dev.lazyz.conformance.strangers.StrangersGallery
 import dev.lazyz.strategies.Renderers
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.DynamicTest
@@ -33,7 +33,7 @@ class OtherSeedsTest {
     @TestFactory
     fun unusualRenderersPass(): List<DynamicTest> {
         val oracle = { ReferenceRenderer() }
-        val all = UnusualRenderers.all + StrangersGallery.correct + oracle
+        val all = UnusualRenderers.all + Skeletons.correct + oracle
         val good = RuleOutcome.entries.filterNot { it.isFailure }.toSet()
         val some = if (TestEffort.isDefault) emptyList() else TestEffort.sample(4, UnusualRenderers.quick)
         return passing(if (seeds == null) some else all, good)

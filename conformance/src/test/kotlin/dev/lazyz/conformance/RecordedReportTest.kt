@@ -1,8 +1,8 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.conformance.broken.BrokenRenderers
-import dev.lazyz.conformance.broken.PlainRenderer
-import dev.lazyz.conformance.broken.gallery.RuleNames
+import dev.lazyz.conformance.mutants.PlainRenderer
+import dev.lazyz.conformance.mutants.RuleNames
+import dev.lazyz.conformance.mutants.wrappers.BasicMistakes
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.Waivers
 import dev.lazyz.conformance.rules.ConformanceVersions
@@ -24,7 +24,7 @@ class RecordedReportTest {
     private val waivers = Waivers.parse("rule: ${RuleNames.ties}\nreason: a\nlink: b\nexpires: 9999-01-01\n")
 
     private fun recorded(vararg rules: String): Path {
-        val suite = Conformance { BrokenRenderers.lastWinsTies() }.seed(3).tries(0.2).waivers(waivers).output(folder)
+        val suite = Conformance { BasicMistakes.lastWinsTies() }.seed(3).tries(0.2).waivers(waivers).output(folder)
         for (rule in rules) suite.rule(rule)
         suite.run()
         return folder.resolve("report.json")
@@ -37,7 +37,7 @@ class RecordedReportTest {
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun sameRendererComesOutTheSame() {
         val recorded = RecordedReport.read(recorded("5.2", "5.6"))
-        val report = recorded.again { BrokenRenderers.lastWinsTies() }.run()
+        val report = recorded.again { BasicMistakes.lastWinsTies() }.run()
         assertEquals(emptyList<String>(), recorded.differences(report))
         assertEquals(listOf("last-wins-ties", 3L, 0.2), listOf(recorded.strategy, report.seed, report.tries))
         assertEquals(SuiteRule.all.filter { it.number in listOf("5.2", "5.6") }, report.results.map { it.rule })

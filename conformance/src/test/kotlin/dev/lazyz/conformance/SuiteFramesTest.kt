@@ -1,7 +1,6 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Frame
-import dev.lazyz.conformance.broken.WrongColors
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Multitude
 import dev.lazyz.conformance.cases.changed.cutAtRow
@@ -11,6 +10,7 @@ import dev.lazyz.conformance.cases.changed.padded
 import dev.lazyz.conformance.cases.changed.withHiddenGlass
 import dev.lazyz.conformance.cases.veils
 import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.mutants.WrongColors
 import dev.lazyz.conformance.probes.smallFrames
 import dev.lazyz.conformance.probes.surfacesOfOneShader
 import dev.lazyz.conformance.probes.textured

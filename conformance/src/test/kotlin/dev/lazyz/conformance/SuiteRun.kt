@@ -1,7 +1,7 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
-import dev.lazyz.conformance.broken.gallery.RuleNames
+import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.report.ConformanceReport
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.rules.Rule

@@ -1,10 +1,10 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
-import dev.lazyz.conformance.broken.BrokenRenderers
-import dev.lazyz.conformance.broken.PlainRenderer
-import dev.lazyz.conformance.broken.gallery.RuleNames
-import dev.lazyz.conformance.broken.gallery.RunGallery
+import dev.lazyz.conformance.mutants.DisruptiveRenderers
+import dev.lazyz.conformance.mutants.PlainRenderer
+import dev.lazyz.conformance.mutants.RuleNames
+import dev.lazyz.conformance.mutants.wrappers.BasicMistakes
 import java.nio.file.Path
 import java.time.Duration
 import java.util.SimpleTimeZone
@@ -19,16 +19,16 @@ import kotlin.system.exitProcess
 internal object SupervisedRun {
     private val makers: Map<String, () -> Renderer> = mapOf(
         "right" to { PlainRenderer() },
-        "wrong" to { BrokenRenderers.lastWinsTies() },
-        "wrong by few rules" to { BrokenRenderers.lastWinsTies() },
-        "sleeps" to { RunGallery.sleeps() },
-        "halts" to { RunGallery.halts() },
+        "wrong" to { BasicMistakes.lastWinsTies() },
+        "wrong by few rules" to { BasicMistakes.lastWinsTies() },
+        "sleeps" to { DisruptiveRenderers.sleeps() },
+        "halts" to { DisruptiveRenderers.halts() },
         "exits when made" to { exitProcess(0) },
         "halts when made" to {
             Runtime.getRuntime().halt(0)
             error("it goes on")
         },
-        "never made" to { RunGallery.never() },
+        "never made" to { DisruptiveRenderers.never() },
         "sets the time zone when its class is loaded" to { ZonedRenderer() },
     )
 

@@ -1,6 +1,6 @@
 package dev.lazyz.conformance
 
-import dev.lazyz.conformance.broken.gallery.RuleNames
+import dev.lazyz.conformance.mutants.RuleNames
 import java.nio.file.Path
 import java.time.Duration
 import java.util.concurrent.TimeUnit

@@ -1,7 +1,7 @@
 package dev.lazyz.conformance.fuzz
 
 import dev.lazyz.Renderer
-import dev.lazyz.conformance.broken.BrokenRenderers
+import dev.lazyz.conformance.mutants.wrappers.BasicMistakes
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.zbuffer.ZBuffer
@@ -33,7 +33,7 @@ class DifferentialFuzzingTest {
     @Test
     @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun differenceIsFoundMadeSmallAndKept(@TempDir folder: Path) {
-        val report = fuzzing(BrokenRenderers.lastWinsTies()).corpus(folder).run()
+        val report = fuzzing(BasicMistakes.lastWinsTies()).corpus(folder).run()
         assertFalse(report.isEqual)
         val smallest = report.differences.minBy { it.length }
         assertTrue("is the first of" in smallest && "recipe KIND=" in smallest, smallest)
@@ -48,7 +48,7 @@ class DifferentialFuzzingTest {
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun sameSeedFindsTheSame() {
-        val (one, other) = List(2) { fuzzing(BrokenRenderers.gapsFilled()).seed(7).run() }
+        val (one, other) = List(2) { fuzzing(BasicMistakes.gapsFilled()).seed(7).run() }
         assertEquals(one.differences, other.differences)
         assertEquals(one.pairs, other.pairs)
     }
@@ -61,7 +61,7 @@ class DifferentialFuzzingTest {
         assertTrue(recipes.size > FRAMES / 2, "$recipes")
 
         // A known difference is found again, although nothing new is tried
-        val again = fuzzing(BrokenRenderers.lastWinsTies(), recipes.size.toLong()).corpus(folder).run()
+        val again = fuzzing(BasicMistakes.lastWinsTies(), recipes.size.toLong()).corpus(folder).run()
         assertEquals(again.frames, again.remembered)
         assertFalse(again.isEqual)
     }
@@ -69,7 +69,7 @@ class DifferentialFuzzingTest {
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun exceptionOfOneIsADifference() {
-        val report = fuzzing(BrokenRenderers.needsTwoColumns()).run()
+        val report = fuzzing(BasicMistakes.needsTwoColumns()).run()
         assertTrue(report.differences.any { "the second java.lang.IllegalStateException" in it }, report.toText())
     }
 

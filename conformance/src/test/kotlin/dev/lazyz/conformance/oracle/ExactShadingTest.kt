@@ -3,13 +3,13 @@ package dev.lazyz.conformance.oracle
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Spans
-import dev.lazyz.conformance.broken.BrokenShading
-import dev.lazyz.conformance.broken.Changes
-import dev.lazyz.conformance.broken.Inside
-import dev.lazyz.conformance.broken.LightMistakes
-import dev.lazyz.conformance.broken.MapMistakes
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.frames.world.WorldFrames
+import dev.lazyz.conformance.mutants.wrappers.Changes
+import dev.lazyz.conformance.mutants.wrappers.Inside
+import dev.lazyz.conformance.mutants.wrappers.LightChanges
+import dev.lazyz.conformance.mutants.wrappers.MapChanges
+import dev.lazyz.conformance.mutants.wrappers.ShadingMistakes
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Light
 import dev.lazyz.world.material.MipFilter
@@ -51,22 +51,22 @@ class ExactShadingTest {
             "normals" to Inside.Companion::turnNormals,
             "filter" to Inside.Companion::readNearest,
             "perspective" to Inside.Companion::interpolateOnScreen,
-            "cones" to LightMistakes::loseCones,
-            "falloff" to LightMistakes::loseFalloff,
-            "tone mapping" to MapMistakes::loseToneMappingOfSpheres,
-            "metalness" to MapMistakes::loseMetalness,
-            "occlusion" to MapMistakes::loseOcclusion,
-            "emission map" to MapMistakes::loseEmissionMap,
-            "second coordinates" to MapMistakes::readFirstCoordinates,
-            "transforms" to MapMistakes::loseTransforms,
-            "tangents" to MapMistakes::turnTangentsBack,
-            "visibility" to LightMistakes::loseVisibility,
-            "visibility from behind" to LightMistakes::turnVisibility,
-            "stronger light" to LightMistakes::dimLights,
+            "cones" to LightChanges::loseCones,
+            "falloff" to LightChanges::loseFalloff,
+            "tone mapping" to MapChanges::loseToneMappingOfSpheres,
+            "metalness" to MapChanges::loseMetalness,
+            "occlusion" to MapChanges::loseOcclusion,
+            "emission map" to MapChanges::loseEmissionMap,
+            "second coordinates" to MapChanges::readFirstCoordinates,
+            "transforms" to MapChanges::loseTransforms,
+            "tangents" to MapChanges::turnTangentsBack,
+            "visibility" to LightChanges::loseVisibility,
+            "visibility from behind" to LightChanges::turnVisibility,
+            "stronger light" to LightChanges::dimLights,
         )
         for ((name, mistake) in mistakes) {
             val fault = cases.firstNotNullOfOrNull { case ->
-                BrokenShading.changed(case.frame, mistake) { Comparison().fault(case, exact.getValue(case)) }
+                ShadingMistakes.changed(case.frame, mistake) { Comparison().fault(case, exact.getValue(case)) }
             }
             assertNotNull(fault, name)
         }

@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.report
 
 import dev.lazyz.conformance.Conformance
-import dev.lazyz.conformance.broken.Promising
-import dev.lazyz.conformance.broken.WrongColors
 import dev.lazyz.conformance.census.FrameTrait
+import dev.lazyz.conformance.mutants.Promising
+import dev.lazyz.conformance.mutants.WrongColors
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.Waivers
 import java.nio.file.Files

@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.report
 
 import dev.lazyz.conformance.Conformance
-import dev.lazyz.conformance.broken.PlainRenderer
-import dev.lazyz.conformance.broken.Promising
-import dev.lazyz.conformance.broken.WrongColors
+import dev.lazyz.conformance.mutants.PlainRenderer
+import dev.lazyz.conformance.mutants.Promising
+import dev.lazyz.conformance.mutants.WrongColors
 import dev.lazyz.conformance.results.Waivers
 import java.io.ByteArrayInputStream
 import java.io.IOException

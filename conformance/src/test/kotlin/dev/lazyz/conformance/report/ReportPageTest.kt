@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.report
 
 import dev.lazyz.conformance.Conformance
-import dev.lazyz.conformance.broken.PlainRenderer
-import dev.lazyz.conformance.broken.Throwing
-import dev.lazyz.conformance.broken.WrongColors
+import dev.lazyz.conformance.mutants.PlainRenderer
+import dev.lazyz.conformance.mutants.Throwing
+import dev.lazyz.conformance.mutants.WrongColors
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.Waivers
 import dev.lazyz.scenes.html.Html.escaped

@@ -2,14 +2,14 @@ package dev.lazyz.conformance.report
 
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.Conformance
-import dev.lazyz.conformance.broken.BrokenManners
-import dev.lazyz.conformance.broken.BrokenPromises
-import dev.lazyz.conformance.broken.BrokenRenderers
-import dev.lazyz.conformance.broken.PlainRenderer
-import dev.lazyz.conformance.broken.Throwing
-import dev.lazyz.conformance.broken.WrongColors
 import dev.lazyz.conformance.judgement.Rendering
 import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.mutants.PlainRenderer
+import dev.lazyz.conformance.mutants.Throwing
+import dev.lazyz.conformance.mutants.WrongColors
+import dev.lazyz.conformance.mutants.wrappers.BasicMistakes
+import dev.lazyz.conformance.mutants.wrappers.MannerMistakes
+import dev.lazyz.conformance.mutants.wrappers.PromiseMistakes
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.SuiteRule
@@ -143,8 +143,8 @@ class ReportTest {
 
     @Test
     fun sceneFileOfAFailureReproducesTheDifference() {
-        val ties = BrokenRenderers.lastWinsTies()
-        for ((rule, wrong) in mapOf("5.2" to ties, "7.4" to BrokenManners.regionOffsetTwice())) {
+        val ties = BasicMistakes.lastWinsTies()
+        for ((rule, wrong) in mapOf("5.2" to ties, "7.4" to MannerMistakes.regionOffsetTwice())) {
             val report = Conformance { wrong }.tries(1.0).rule(rule).run()
             report.writeTo(folder)
             val result = report.withOutcome(RuleOutcome.FAILED).first()
@@ -167,7 +167,7 @@ class ReportTest {
     @Test
     fun frameWithoutASceneFileSaysSo() {
         val own = "rule_2_8_customPrimitivesCoverTheirSpans"
-        val report = Conformance { BrokenRenderers.gapsFilled() }.tries(0.2).rule(own).run()
+        val report = Conformance { BasicMistakes.gapsFilled() }.tries(0.2).rule(own).run()
         report.writeTo(folder)
         val rule = report.results.single().rule
         assertFalse(folder.resolve("failures/$rule.json").exists())
@@ -179,7 +179,7 @@ class ReportTest {
     @Test
     fun whatIsNotFollowedIsReportedAndDoesNoHarm() {
         val rule = "rule_8_3_workingMemoryIsReported"
-        val report = Conformance { BrokenPromises.reportsNoMemory() }.tries(0.1).rule(rule).run()
+        val report = Conformance { PromiseMistakes.reportsNoMemory() }.tries(0.1).rule(rule).run()
         assertTrue(report.isConformant)
         val result = report.results.single()
         assertEquals(RuleOutcome.NOT_FOLLOWED, result.outcome)
@@ -210,7 +210,7 @@ class ReportTest {
             val conformance = Conformance { renderer }.tries(0.1).rule(rule).waivers(waivers)
             return conformance.run().results.single().outcome
         }
-        val secretive = BrokenPromises.reportsNoMemory()
+        val secretive = PromiseMistakes.reportsNoMemory()
         assertEquals(RuleOutcome.WAIVED, outcome(secretive, "9999-01-01"))
         assertEquals(RuleOutcome.WAIVER_EXPIRED, outcome(secretive, "2001-01-01"))
         assertEquals(RuleOutcome.WAIVED_BUT_PASSES, outcome(PlainRenderer(), "9999-01-01"))

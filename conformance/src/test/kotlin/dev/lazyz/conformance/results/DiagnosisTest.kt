@@ -2,18 +2,18 @@ package dev.lazyz.conformance.results
 
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.conformance.SuiteRun
-import dev.lazyz.conformance.broken.BrokenManners
-import dev.lazyz.conformance.broken.BrokenRenderers
-import dev.lazyz.conformance.broken.gallery.Gallery
-import dev.lazyz.conformance.broken.gallery.Mutant
-import dev.lazyz.conformance.broken.gallery.RuleNames
-import dev.lazyz.conformance.broken.gallery.RunGallery
 import dev.lazyz.conformance.judgement.ProcessEnded
+import dev.lazyz.conformance.mutants.DisruptiveRenderers
+import dev.lazyz.conformance.mutants.Mistake
+import dev.lazyz.conformance.mutants.Mistakes
+import dev.lazyz.conformance.mutants.RuleNames
+import dev.lazyz.conformance.mutants.wrappers.BasicMistakes
+import dev.lazyz.conformance.mutants.wrappers.MannerMistakes
 import dev.lazyz.conformance.rules.Symptom
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.readLines
-import kotlin.io.path.writeText
+import kotlin.io.path.writeLines
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -26,7 +26,7 @@ class DiagnosisTest {
     private val names = RuleNames
 
     private val record: Path = listOf("src/test/resources", "conformance/src/test/resources").map { Path.of(it) }
-        .first { Files.isDirectory(it) }.resolve("gallery-symptoms.txt")
+        .first { Files.isDirectory(it) }.resolve("mutants.csv")
 
     private fun broken(rule: String, vararg symptoms: Symptom) =
         Diagnosis.Broken(checkNotNull(SuiteRule.find(rule)), symptoms.toSet())
@@ -35,37 +35,32 @@ class DiagnosisTest {
         Diagnosis.ofBroken(broken.toList()).causes.map { it.rule.name }
 
     /**
-     * A line for each wrong renderer and, indented, for each rule that it breaks at a fifth of the default effort:
-     * names of rules and symptoms. `-Dlazyz.record=true` rewrites it, which takes minutes.
+     * A line for each mistake and each set of symptoms that failures of rules have at a fifth of the default effort, and
+     * these rules. `-Dlazyz.record=true` rewrites it, which takes minutes.
      */
-    private fun recorded(): Map<Mutant, List<Diagnosis.Broken>> {
-        val blocks = LinkedHashMap<String, MutableList<Diagnosis.Broken>>()
-        for (line in record.readLines()) {
-            val words = line.trim().split(' ')
-            if (!line.startsWith(" ")) {
-                blocks[line] = ArrayList()
-            } else {
-                val rule = SuiteRule.find(words[0]) ?: continue
-                val symptoms = words.drop(1).mapTo(LinkedHashSet()) { Symptom.valueOf(it) }
-                blocks.values.last().add(Diagnosis.Broken(rule, symptoms.takeIf { it.isNotEmpty() }))
+    private fun recorded(): Map<Mistake, List<Diagnosis.Broken>> {
+        val lines = record.readLines().drop(1).map { it.split(',') }.groupBy { (id) -> id }
+        return Mistakes.all.filter { it.id in lines }.associateWith { mistake ->
+            lines.getValue(mistake.id).flatMap { (_, symptoms, rules) ->
+                val all = symptoms.split(' ').filter { it.isNotEmpty() }.mapTo(LinkedHashSet()) { Symptom.valueOf(it) }
+                rules.split(' ').mapNotNull { SuiteRule.find(it) }
+                    .map { Diagnosis.Broken(it, all.takeIf { it.isNotEmpty() }) }
             }
         }
-        return Gallery.all.associateWith { blocks[it.id].orEmpty() }.filterValues { it.isNotEmpty() }
     }
 
     private fun record() {
-        val text = StringBuilder()
-        for (mutant in Gallery.all) {
-            val conformance = Conformance { mutant.make() }.tries(0.2).withoutShrinking()
+        val lines = mutableListOf(record.readLines().first())
+        for (mistake in Mistakes.all) {
+            val conformance = Conformance { mistake.make() }.tries(0.2).withoutShrinking()
 
             // Some render a frame of very many primitives once for each of them
-            for (rule in SuiteRun.rules - names.many + mutant.noticedBy) conformance.rule(rule)
-            text.append("${mutant.id}\n")
-            for (result in conformance.run().results) {
-                val failure = result.failure ?: continue
-                text.append("  ${(listOf(result.rule.name) + failure.symptoms.orEmpty()).joinToString(" ")}\n")
+            for (rule in SuiteRun.rules - names.many + mistake.noticedBy) conformance.rule(rule)
+            val broken = conformance.run().results.filter { it.failure != null }
+            for ((symptoms, results) in broken.groupBy { it.failure?.symptoms.orEmpty() }) {
+                lines += "${mistake.id},${symptoms.joinToString(" ")},${results.joinToString(" ") { it.rule.name }}"
             }
-            record.writeText(text.toString())
+            record.writeLines(lines)
         }
     }
 
@@ -74,12 +69,12 @@ class DiagnosisTest {
     fun oneOfTheRulesThatAWrongRendererIsAboutIsAmongTheFirstThree() {
         if (System.getProperty("lazyz.record") == "true") record()
         val all = recorded()
-        val missed = all.filter { (mutant, broken) ->
-            Diagnosis.ofBroken(broken).causes.none { it.rule.name in mutant.noticedBy }
+        val missed = all.filter { (mistake, broken) ->
+            Diagnosis.ofBroken(broken).causes.none { it.rule.name in mistake.noticedBy }
         }
         val share = "${all.size - missed.size} of ${all.size} wrong renderers are diagnosed"
-        val lines = missed.map { (mutant, broken) ->
-            "${mutant.id}: ${Diagnosis.ofBroken(broken).causes.map { it.rule }}, not ${mutant.noticedBy}"
+        val lines = missed.map { (mistake, broken) ->
+            "${mistake.id}: ${Diagnosis.ofBroken(broken).causes.map { it.rule }}, not ${mistake.noticedBy}"
         }
         assertTrue(all.size > 60, share)
         assertTrue(missed.size * 10 <= all.size, "$share:\n${lines.joinToString("\n")}")
@@ -144,7 +139,7 @@ class DiagnosisTest {
 
     @Test
     fun rowsInAnotherOrderAreTheCause() {
-        val report = Conformance { BrokenRenderers.bottomUp() }.tries(0.1).withoutShrinking()
+        val report = Conformance { BasicMistakes.bottomUp() }.tries(0.1).withoutShrinking()
             .rule(names.rows).rule(names.region).rule(names.together).run()
         assertEquals(names.rows, report.diagnosis.causes.first().rule.name, report.toText())
         assertFalse("wrong only after other frames" in report.toText(), report.toText())
@@ -152,7 +147,7 @@ class DiagnosisTest {
 
     @Test
     fun configuredThatChangesItsRendererIsTheCause() {
-        val report = Conformance { BrokenManners.configuresItself() }.tries(0.1).withoutShrinking()
+        val report = Conformance { MannerMistakes.configuresItself() }.tries(0.1).withoutShrinking()
             .rule(names.options).rule(names.selects).rule("6.1").run()
         val cause = report.diagnosis.causes.first()
         assertEquals(names.options, cause.rule.name, report.toText())
@@ -161,7 +156,7 @@ class DiagnosisTest {
 
     @Test
     fun crashesHaveHintsOfTheirOwn() {
-        val hints = mapOf(RunGallery.exhausts() to "arrays that are sized", RunGallery.recurses() to "recursion whose")
+        val hints = mapOf(DisruptiveRenderers.exhausts() to "arrays that are sized", DisruptiveRenderers.recurses() to "recursion whose")
         for ((renderer, hint) in hints) {
             val report = Conformance { renderer }.tries(0.05).withoutShrinking()
                 .rule(names.nearest).rule(names.ties).run()
@@ -175,7 +170,7 @@ class DiagnosisTest {
 
     @Test
     fun reportBeginsWithTheCauseAndIsShortHoweverMuchFails() {
-        val suite = Conformance { BrokenRenderers.lastWinsTies() }.tries(0.02).withoutShrinking()
+        val suite = Conformance { BasicMistakes.lastWinsTies() }.tries(0.02).withoutShrinking()
         for (rule in SuiteRun.quickRules) suite.rule(rule)
         val report = suite.run()
         val text = report.toText()

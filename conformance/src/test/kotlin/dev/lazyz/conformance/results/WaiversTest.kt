@@ -2,8 +2,8 @@ package dev.lazyz.conformance.results
 
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.conformance.SuiteRun
-import dev.lazyz.conformance.broken.PlainRenderer
-import dev.lazyz.conformance.broken.WrongColors
+import dev.lazyz.conformance.mutants.PlainRenderer
+import dev.lazyz.conformance.mutants.WrongColors
 import java.nio.file.Path
 import java.time.LocalDate
 import kotlin.io.path.writeText

@@ -5,10 +5,10 @@ import dev.lazyz.Renderer
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.conformance.RendererConformance
 import dev.lazyz.conformance.SuiteRun
-import dev.lazyz.conformance.broken.BrokenRenderer
-import dev.lazyz.conformance.broken.emit
-import dev.lazyz.conformance.broken.gallery.RuleNames
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.mutants.BrokenRenderer
+import dev.lazyz.conformance.mutants.RuleNames
+import dev.lazyz.conformance.mutants.emit
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -6,11 +6,11 @@ import dev.lazyz.Renderer
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.conformance.RendererConformance
 import dev.lazyz.conformance.SuiteRun
-import dev.lazyz.conformance.broken.BrokenManners
-import dev.lazyz.conformance.broken.BrokenRenderers
-import dev.lazyz.conformance.broken.PlainRenderer
-import dev.lazyz.conformance.broken.gallery.RuleNames
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.mutants.PlainRenderer
+import dev.lazyz.conformance.mutants.RuleNames
+import dev.lazyz.conformance.mutants.wrappers.BasicMistakes
+import dev.lazyz.conformance.mutants.wrappers.MannerMistakes
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.strategies.zbuffer.ZBuffer
@@ -61,7 +61,7 @@ class OwnFramesTest {
     @Test
     fun frameThatIsWrongIsReported() {
         folder.resolve("a.json").writeText(triangle)
-        val result = conformance { BrokenManners.widthOf97() }.rule(own).run().results.single()
+        val result = conformance { MannerMistakes.widthOf97() }.rule(own).run().results.single()
         assertEquals(RuleOutcome.FAILED, result.outcome)
         assertTrue("a.json" in result.message, result.message)
         assertEquals(listOf("a.json"), folder.listDirectoryEntries().map { it.name })
@@ -70,7 +70,7 @@ class OwnFramesTest {
     @Test
     fun frameThatARuleFailsOnIsKeptAndTriedFromThenOn() {
         val new = folder.resolve("new")
-        fun run(rule: String) = Conformance { BrokenRenderers.lastWinsTies() }.tries(1.0).frames(new).rule(rule).run()
+        fun run(rule: String) = Conformance { BasicMistakes.lastWinsTies() }.tries(1.0).frames(new).rule(rule).run()
         assertTrue(run(own).isConformant)
         run(RuleNames.ties)
         val kept = new.listDirectoryEntries().single().name
@@ -117,7 +117,7 @@ class WithFrames : RendererConformance() {
 }
 
 internal class WithFramesThatAreWrong : RendererConformance() {
-    override fun renderer(): Renderer = BrokenManners.widthOf97()
+    override fun renderer(): Renderer = MannerMistakes.widthOf97()
 
     override fun frames(): List<FrameCase> = listOf(FrameCase(frame, "Frame(Raster(97, 2), emptyList())"))
 }

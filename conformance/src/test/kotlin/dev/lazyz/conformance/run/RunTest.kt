@@ -7,10 +7,10 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.conformance.NotMadeException
-import dev.lazyz.conformance.broken.BrokenFailures
-import dev.lazyz.conformance.broken.PlainRenderer
-import dev.lazyz.conformance.broken.WrongColors
-import dev.lazyz.conformance.broken.gallery.RunGallery
+import dev.lazyz.conformance.mutants.DisruptiveRenderers
+import dev.lazyz.conformance.mutants.PlainRenderer
+import dev.lazyz.conformance.mutants.WrongColors
+import dev.lazyz.conformance.mutants.wrappers.FailureMistakes
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.RuleResult
 import dev.lazyz.conformance.results.SuiteRule
@@ -46,9 +46,9 @@ class RunTest {
         val isAsleep = "was not over after 0.3 s in which no thread was running; it is at"
         val isBusy = "was not over after 0.3 s of processor time; it is at"
         val hanging = listOf(
-            Triple(RunGallery.sleeps(), isAsleep, "java.lang.Thread.sleep("),
-            Triple(RunGallery.spins(), isBusy, ".RunGallery"),
-            Triple(RunGallery.waits(), isAsleep, "thread never-done (WAITING)"),
+            Triple(DisruptiveRenderers.sleeps(), isAsleep, "java.lang.Thread.sleep("),
+            Triple(DisruptiveRenderers.spins(), isBusy, ".DisruptiveRenderers"),
+            Triple(DisruptiveRenderers.waits(), isAsleep, "thread never-done (WAITING)"),
         )
         for ((renderer, words, place) in hanging) {
             // A machine that is too busy gives no verdict, so ask again
@@ -57,7 +57,7 @@ class RunTest {
             assertOutcome(RuleOutcome.TIMED_OUT, result)
             assertTrue(words in result.message, result.message)
             assertTrue(place in result.message, result.message)
-            assertTrue(".RunGallery" in result.message, result.message)
+            assertTrue(".DisruptiveRenderers" in result.message, result.message)
             assertTrue("\nin\nFrameBuilder(Raster(" in result.message, result.message)
             assertTrue(result.failure?.code.orEmpty() in result.message)
             assertEquals(words == isBusy, "a loop that does not end" in result.look, result.look)
@@ -68,7 +68,7 @@ class RunTest {
     /** It gets no more processor time than on a machine that is very busy. */
     @Test
     fun whatIsNeitherBusyNorAsleepIsInconclusive() {
-        val run = of { RunGallery.dozes() }.rule(nearest).run()
+        val run = of { DisruptiveRenderers.dozes() }.rule(nearest).run()
         val result = run.results.single()
         assertOutcome(RuleOutcome.INCONCLUSIVE, result)
         assertTrue(result.message.startsWith("was not over after 3 s, but the machine gave it only 0"), result.message)
@@ -102,10 +102,10 @@ class RunTest {
     @Test
     fun rendererThatIsNeverMadeIsReportedWithThePlace() {
         val hanging = listOf(
-            { RunGallery.never() },
+            { DisruptiveRenderers.never() },
             {
                 object : PlainRenderer() {
-                    override val capabilities: Set<Capability> get() = RunGallery.never()
+                    override val capabilities: Set<Capability> get() = DisruptiveRenderers.never()
                 }
             },
         )
@@ -113,7 +113,7 @@ class RunTest {
             val reported = assertThrows(NotMadeException::class.java) { of(make).run() }.message.orEmpty()
             val words = "making the renderer was not over after 0.3 s in which no thread was running; it is at"
             assertTrue(reported.startsWith(words), reported)
-            assertTrue("RunGallery.never" in reported, reported)
+            assertTrue("DisruptiveRenderers.never" in reported, reported)
         }
     }
 
@@ -144,7 +144,7 @@ class RunTest {
     fun otherRulesAreTriedUntilThreeHaveTimedOut() {
         val last = "rule_9_6_narrowRastersAreDrawnCorrectly"
         val rules = listOf("rule_1_3_movingByWholePixelsMovesThePicture", "5.1", ties, last)
-        val run = of { RunGallery.sleeps() }.also { for (rule in rules) it.rule(rule) }.run()
+        val run = of { DisruptiveRenderers.sleeps() }.also { for (rule in rules) it.rule(rule) }.run()
         val outcomes = run.results.map { it.outcome }
         assertEquals(3, outcomes.count { it == RuleOutcome.TIMED_OUT }) { run.toText() }
         assertTrue(outcomes.takeLast(2).all { it == RuleOutcome.NOT_RUN }, run.toText())
@@ -155,10 +155,10 @@ class RunTest {
     @Test
     fun errorsAreCrashesOfOneRule() {
         val renderers = mapOf(
-            RunGallery.exhausts() to "java.lang.OutOfMemoryError",
-            RunGallery.recurses() to "java.lang.StackOverflowError",
-            RunGallery.forgets() to "kotlin.NotImplementedError",
-            RunGallery.dies() to "java.lang.ThreadDeath",
+            DisruptiveRenderers.exhausts() to "java.lang.OutOfMemoryError",
+            DisruptiveRenderers.recurses() to "java.lang.StackOverflowError",
+            DisruptiveRenderers.forgets() to "kotlin.NotImplementedError",
+            DisruptiveRenderers.dies() to "java.lang.ThreadDeath",
         )
         for ((renderer, error) in renderers) {
             val run = of { renderer }.deadline(Duration.ofSeconds(20)).rule(nearest)
@@ -172,7 +172,7 @@ class RunTest {
 
     @Test
     fun failureThatIsNotReproducibleIsFlakyAndKeepsWhatCameBefore() {
-        for (renderer in listOf(RunGallery.racy(), RunGallery.stateful())) {
+        for (renderer in listOf(DisruptiveRenderers.racy(), DisruptiveRenderers.stateful())) {
             val result = nearest { renderer }
             assertOutcome(RuleOutcome.FLAKY, result)
             assertTrue(result.message.startsWith("not reproducible: "), result.message)
@@ -184,7 +184,7 @@ class RunTest {
 
     @Test
     fun reportOfAFailureInterruptsNobody() {
-        val report = Conformance { BrokenFailures.stopsInterruptedWorkers() }
+        val report = Conformance { FailureMistakes.stopsInterruptedWorkers() }
             .rule("rule_7_8_interruptedWorkersFinishTheirWork").run()
         // On a busy machine, the threads do not do the same again
         assertTrue(report.results.single().outcome.isFailure, report.toText())

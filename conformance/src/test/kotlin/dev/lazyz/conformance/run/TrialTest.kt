@@ -8,11 +8,11 @@ import dev.lazyz.RowSink
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.conformance.RendererConformance
 import dev.lazyz.conformance.SuiteRun
-import dev.lazyz.conformance.broken.PlainRenderer
-import dev.lazyz.conformance.broken.Promising
-import dev.lazyz.conformance.broken.WrongColors
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.census.Census
+import dev.lazyz.conformance.mutants.PlainRenderer
+import dev.lazyz.conformance.mutants.Promising
+import dev.lazyz.conformance.mutants.WrongColors
 import dev.lazyz.conformance.results.RuleFailure
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.SuiteRule

@@ -1,0 +1,103 @@
+package dev.lazyz.conformance.mutants.wrappers
+
+import dev.lazyz.DepthConvention
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Primitive
+import dev.lazyz.conformance.cases.changed.renumbered
+import dev.lazyz.conformance.mutants.BrokenRenderer
+import dev.lazyz.conformance.mutants.Mistake
+import dev.lazyz.conformance.mutants.RuleNames
+import dev.lazyz.conformance.mutants.drawing
+import dev.lazyz.conformance.mutants.emit
+import dev.lazyz.conformance.mutants.painting
+import dev.lazyz.conformance.mutants.primitives
+import dev.lazyz.strategies.zbuffer.ZBuffer
+
+/** Renderers that are correct except for depths and their comparison. */
+internal object DepthMistakes {
+    val mistakes: List<Mistake> = listOf(
+        Mistake(
+            ::flatPrimitives, "whole primitives are sorted by their nearest depths, instead of comparing samples",
+            RuleNames.nearest, RuleNames.hidden, RuleNames.deep,
+        ),
+        Mistake(
+            ::staleRejection, "a whole primitive is rejected if it is hidden at one sample", RuleNames.nearest,
+            RuleNames.order,
+        ),
+        Mistake(
+            ::rejectsByConvention, "rejects what is behind the background by the convention, whatever the depth test",
+            RuleNames.tests, RuleNames.pairs,
+        ),
+        Mistake(::dropsEqualPrimitives, "a primitive that equals an earlier one is dropped", RuleNames.equal),
+        Mistake(::numbersByEquality, "the index is that of the first primitive that is equal", RuleNames.equal),
+        Mistake(::numbersTheExtended, "primitives whose bounds are empty have no number", RuleNames.index),
+        Mistake(::throughFloat, "depth goes through a float", RuleNames.nearest, RuleNames.scenes),
+        Mistake(::in24Bits, "depth has 24 bits", RuleNames.nearest, RuleNames.own),
+    )
+
+    fun throughFloat() = primitives("depth-through-float") { At(it) { x, y -> it.depth(x, y).toFloat().toInt() } }
+
+    fun in24Bits() = primitives("depth-in-24-bits") { At(it) { x, y -> it.depth(x, y) shr 7 shl 7 } }
+
+    fun numbersTheExtended() = painting("numbers-the-extended") { image, frame ->
+        image.renumbered { index ->
+            (0 until index).count { frame.primitives[it].rowStart < frame.primitives[it].rowEnd }
+        }
+    }
+
+    fun flatPrimitives() = comparing("painter-by-nearest-depth") { primitive, _, _, _ -> primitive.leastDepth }
+
+    /** Decides by one sample of what was drawn so far whether a whole primitive is hidden. */
+    fun staleRejection() = drawing("rejects-by-one-corner") { frame ->
+        frame.keeping { index ->
+            val before = ZBuffer().render(frame.keeping { it < index })
+            val depth = before.depth[0]
+            val primitive = frame.primitives[index]
+            when (frame.raster.depthTest) {
+                DepthTest.LESS, DepthTest.LESS_OR_EQUAL -> primitive.leastDepth <= depth
+                else -> primitive.greatestDepth >= depth
+            }
+        }
+    }
+
+    /** Rejects a primitive that would be behind the background if the convention decided, and not the test. */
+    fun rejectsByConvention() = drawing("rejects-by-the-convention") { frame ->
+        val raster = frame.raster
+        if (raster.convention == DepthConvention.LARGER_IS_NEARER) return@drawing frame
+        frame.keeping { frame.primitives[it].leastDepth <= raster.backgroundDepth }
+    }
+
+    /** A primitive at another depth, without a linear form. */
+    private class At(whole: Primitive, private val how: (x: Int, y: Int) -> Int) : Primitive by whole {
+        override val depthForm get() = null
+
+        override fun depth(x: Int, y: Int): Int = how(x, y)
+    }
+
+    /** Compares other depths than it shows. */
+    private fun comparing(id: String, how: (primitive: Primitive, x: Int, y: Int, depth: Int) -> Int) =
+        BrokenRenderer(id) { frame, sink ->
+            val primitives = frame.primitives.map { At(it) { x, y -> how(it, x, y, it.depth(x, y)) } }
+            val image = ZBuffer().render(Frame(frame.raster, primitives, frame.region))
+            val shown = image.withDepths { i, _ ->
+                val x = image.region.columnStart + i % image.width
+                val y = image.region.rowStart + i / image.width
+                frame.primitives.getOrNull(image.primitive[i])?.depth(x, y) ?: frame.raster.backgroundDepth
+            }
+            emit(shown, sink)
+        }
+
+    private fun Image.withDepths(change: (i: Int, depth: Int) -> Int) =
+        Image(region, argb, IntArray(depth.size) { change(it, depth[it]) }, primitive, counters)
+
+    fun dropsEqualPrimitives() = drawing("drops-equal-primitives") { frame ->
+        val seen = HashSet<Primitive>()
+        frame.keeping { seen.add(frame.primitives[it]) }
+    }
+
+    fun numbersByEquality() = painting("numbers-by-equality") { image, frame ->
+        image.renumbered { frame.primitives.indexOf(frame.primitives[it]) }
+    }
+}

@@ -1,0 +1,190 @@
+package dev.lazyz.conformance.mutants.wrappers
+
+import dev.lazyz.Capability
+import dev.lazyz.Coherence
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
+import dev.lazyz.RowSink
+import dev.lazyz.Spans
+import dev.lazyz.conformance.mutants.BrokenRenderer
+import dev.lazyz.conformance.mutants.Mistake
+import dev.lazyz.conformance.mutants.RuleNames
+import dev.lazyz.conformance.mutants.counting
+import dev.lazyz.conformance.mutants.painting
+import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
+import dev.lazyz.strategies.hybrid.Hybrid
+import dev.lazyz.strategies.lazy.LazyZBuffer
+import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.zbuffer.ZBuffer
+
+/** Renderers that are correct but declare too many capabilities, or count incorrectly. */
+internal object PromiseMistakes {
+    val mistakes: List<Mistake> = listOf(
+        Mistake(::reportsAByte, "reports one byte, whatever it holds", RuleNames.held),
+        Mistake(
+            ::holdsTheImageTwice, "promises to stay within a budget, but holds the image twice, with any budget",
+            RuleNames.heap, RuleNames.budget,
+        ),
+        Mistake(::reportsNoMemory, "does not report its working memory", RuleNames.memoryReport),
+        Mistake(::countsVisibleFragments, "counts visible samples as fragments", RuleNames.fragments),
+        Mistake(::countsRejectedTwice, "counts rejected fragments twice", RuleNames.fragments),
+        Mistake(::countsEveryTest, "counts every comparison as passed", RuleNames.among),
+        Mistake(::testsTheBackground, "computes depths where nothing is covered", RuleNames.among),
+        Mistake(::reportsNoLayers, "does not report the memory of translucent layers", RuleNames.held),
+        Mistake(
+            ::keepsGlass, "promises to stream primitives, but keeps those of frames that blend", RuleNames.arrivals,
+        ),
+        Mistake(
+            ::memoryGrows, "promises constant memory, but reports memory that grows with the rows", RuleNames.memory,
+        ),
+        Mistake(
+            ::buffersRows, "promises to stream rows, but buffers the picture", RuleNames.streams, RuleNames.unpulled,
+        ),
+        Mistake(
+            ::looksAhead, "promises to stream rows, but queries the next row first", RuleNames.streams,
+            RuleNames.unpulled,
+        ),
+        Mistake(
+            ::keepsPrimitives, "promises to stream primitives, but stores and sorts all of them", RuleNames.arrivals,
+        ),
+        Mistake(::notParallel, "promises to be parallel, but uses one thread", RuleNames.parallel),
+        Mistake(::countsByThread, "counts work of its own for each thread", RuleNames.sums),
+        Mistake(::losesCounts, "loses the counts of all threads but one", RuleNames.sums),
+        Mistake(::budgetIgnored, "promises to stay within a budget, but ignores it", RuleNames.budget),
+        Mistake(
+            ::noColoursWithoutBudget, "with a memory budget of 0, all colours are missing", RuleNames.budget,
+            RuleNames.options,
+        ),
+    )
+
+    fun memoryGrows() = claiming("memory-grows-with-rows", Capability.CONSTANT_MEMORY, ZBuffer())
+
+    /** Promises to stay within a budget, but holds as much as the image once more, and reports it. */
+    fun holdsTheImageTwice(): BrokenRenderer = holdsTheImageTwice(RenderOptions())
+
+    private fun holdsTheImageTwice(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "holds-the-image-twice",
+        setOf(Capability.MEMORY_BUDGET),
+        { holdsTheImageTwice(it) },
+    ) { frame, sink ->
+        val copy = IntArray(3 * frame.width * frame.height)
+        Hybrid(options).render(frame) { y, argb, depth, primitive ->
+            copy[y - frame.region.rowStart]++
+            sink.row(y, argb, depth, primitive)
+        }.toBuilder().apply { peakBytes += Int.SIZE_BYTES.toLong() * copy.size }.build()
+    }
+
+    fun buffersRows() = claiming("buffers-rows", Capability.STREAMS_ROWS, ZBuffer())
+
+    private val stepping = setOf(Capability.SHADES_ONLY_VISIBLE, Capability.COHERENCE)
+
+    fun keepsStepping(): BrokenRenderer = keepsStepping(RenderOptions())
+
+    private fun keepsStepping(last: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "keeps-stepping",
+        stepping,
+        options = { keepsStepping(if (it.coherence == Coherence.DIRECT) last else it) },
+    ) { frame, sink -> LazyZBuffer(last).render(frame, sink) }
+
+    /** Ignores the options of coherence in frames with a translucent primitive. */
+    fun shadesGlassDirectly(): BrokenRenderer = shadesGlassDirectly(RenderOptions())
+
+    private fun shadesGlassDirectly(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "shades-glass-directly",
+        stepping + Capability.TRANSPARENCY,
+        options = { shadesGlassDirectly(it) },
+    ) { frame, sink -> Lists(if (frame.hasTranslucency) RenderOptions() else options).render(frame, sink) }
+
+    /** Ignores the options of coherence if there is a selector. */
+    fun stepsOrSelects(): BrokenRenderer = stepsOrSelects(RenderOptions())
+
+    private fun stepsOrSelects(options: RenderOptions): BrokenRenderer = BrokenRenderer(
+        "steps-or-selects",
+        stepping + Capability.SELECTION,
+        options = { stepsOrSelects(it) },
+    ) { frame, sink ->
+        require(!frame.hasTranslucency) { "does not blend: make primitive 0 opaque" }
+        val used = if (options.selector != null) options.withCoherence(Coherence.DIRECT) else options
+        Lists(used).render(frame, sink)
+    }
+
+    /** Reports the memory of opaque pictures also for translucent ones. */
+    fun reportsNoLayers() = BrokenRenderer("reports-no-layers", setOf(Capability.TRANSPARENCY)) { frame, sink ->
+        val counters = Tiled(RenderOptions(threads = 1)).render(frame, sink).toBuilder()
+        if (frame.hasTranslucency) counters.peakBytes = minOf(counters.peakBytes, 36 * frame.region.size)
+        counters.build()
+    }
+
+    /** Primitives that are hidden go, unless the frame has translucent ones. */
+    fun keepsGlass() = BrokenRenderer(
+        "keeps-glass",
+        setOf(Capability.STREAMS_PRIMITIVES, Capability.TRANSPARENCY),
+    ) { frame, sink -> if (frame.hasTranslucency) Lists().render(frame, sink) else Hybrid().render(frame, sink) }
+
+    /** Queries all primitives about the next row before it delivers this one. */
+    fun looksAhead() = BrokenRenderer("looks-ahead", setOf(Capability.STREAMS_ROWS)) { frame, sink ->
+        LazyZBuffer().render(frame) { y, argb, depth, primitive ->
+            if (y + 1 < frame.region.rowEnd) for (it in frame.primitives) it.spans(y + 1, Spans())
+            sink.row(y, argb, depth, primitive)
+        }
+    }
+
+    fun notParallel() = claiming("not-parallel", Capability.PARALLEL, ZBuffer())
+
+    fun countsByThread() = threaded("counts-by-thread") { counters, threads -> counters.depthEvaluations += threads }
+
+    fun losesCounts() = threaded("loses-counts") { counters, threads -> counters.fragments /= threads }
+
+    private fun threaded(id: String, threads: Int = 1, change: (Counters.Builder, Int) -> Unit): BrokenRenderer =
+        BrokenRenderer(id, setOf(Capability.PARALLEL), { threaded(id, it.threads, change) }) { frame, sink ->
+            Tiled(RenderOptions(threads = threads, tileSize = 8)).render(frame, sink).toBuilder()
+                .also { change(it, threads) }.build()
+        }
+
+    fun budgetIgnoredBySteps(): BrokenRenderer = budgetIgnoredBySteps(RenderOptions())
+
+    private fun budgetIgnoredBySteps(options: RenderOptions): BrokenRenderer {
+        val steps = options.coherence != Coherence.DIRECT
+        val hybrid = Hybrid(if (steps) options.withoutMemoryBudget() else options)
+        return BrokenRenderer(
+            "budget-ignored-by-steps",
+            setOf(Capability.MEMORY_BUDGET, Capability.COHERENCE),
+            { budgetIgnoredBySteps(it) },
+            how = hybrid::render,
+        )
+    }
+
+    fun budgetIgnored() = claiming("budget-ignored", Capability.MEMORY_BUDGET, Hybrid())
+
+    /** Without memory for a suspension, the sample stays unchanged. */
+    fun noColoursWithoutBudget() = BrokenRenderer(
+        "no-colours-without-budget",
+        setOf(Capability.MEMORY_BUDGET),
+        { if (it.memoryBudget == 0L) withoutColours() else Hybrid(it) },
+    ) { frame, sink -> ZBuffer().render(frame, sink) }
+
+    private fun withoutColours() = painting("no-colours-without-budget") { image, _ -> image.dark() }
+
+    private fun Image.dark() = Image(region, IntArray(argb.size), depth, primitive, counters)
+
+    fun keepsPrimitives() = claiming("keeps-primitives", Capability.STREAMS_PRIMITIVES, HierarchicalZBuffer())
+
+    fun countsVisibleFragments() = counting("counts-visible-fragments") { fragments = it.visible.toLong() }
+
+    fun countsRejectedTwice() = counting("counts-rejected-twice") { fragments += fragments - depthPasses }
+
+    fun countsEveryTest() = counting("counts-every-test-as-passed") { depthPasses = 2 * fragments }
+
+    fun testsTheBackground() = counting("tests-the-background") { depthEvaluations += it.region.size }
+
+    fun reportsNoMemory() = counting("reports-no-memory") { peakBytes = 0 }
+
+    fun reportsAByte() = counting("reports-a-byte") { peakBytes = minOf(peakBytes, 1) }
+
+    private fun claiming(id: String, capability: Capability, renderer: Renderer) =
+        BrokenRenderer(id, setOf(capability)) { frame: Frame, sink: RowSink -> renderer.render(frame, sink) }
+}

@@ -1,0 +1,192 @@
+package dev.lazyz.conformance.mutants.wrappers
+
+import dev.lazyz.Counters
+import dev.lazyz.Fragment
+import dev.lazyz.Spans
+import dev.lazyz.conformance.mutants.BrokenRenderer
+import dev.lazyz.conformance.mutants.Crew
+import dev.lazyz.conformance.mutants.Mistake
+import dev.lazyz.conformance.mutants.RuleNames
+import dev.lazyz.conformance.mutants.Tools
+import dev.lazyz.conformance.mutants.emit
+import dev.lazyz.strategies.zbuffer.ZBuffer
+import kotlin.concurrent.thread
+
+/** Renderers with mistakes in the use of threads and of the sink. */
+internal object ThreadMistakes {
+    val mistakes: List<Mistake> = listOf(
+        Mistake(::sharesARow, "threads fill one row, and copy it when it is full", RuleNames.lost),
+        Mistake(::sharesAFragment, "threads of one rendering share a fragment", RuleNames.lost, RuleNames.threads),
+        Mistake(::losesUpdates, "threads compare and write the key of a sample without a lock", RuleNames.lost),
+        Mistake(::sharesCounters, "threads count in the same counters without a lock", RuleNames.lostCounts),
+        Mistake(
+            ::losesErrors, "an Error that is not an Exception ends its thread and is not reported", RuleNames.workers,
+        ),
+        Mistake(
+            ::callsAfterTheEnd, "when the caller's thread has failed, another thread continues to call primitives",
+            RuleNames.late,
+        ),
+        Mistake(
+            ::deliversHalfPictures, "an interrupted caller delivers what its threads have finished so far",
+            RuleNames.halfDone,
+        ),
+        Mistake(::leavesItsThreads, "an interrupted caller throws, and its threads continue", RuleNames.halfDone),
+        Mistake(
+            ::addsTheOthers, "when several threads fail, the others' exceptions are added to the first",
+            RuleNames.workers,
+        ),
+        Mistake(
+            ::keepsRowsByWidth, "the arrays of a row are in a thread local, for all pictures of a width",
+            RuleNames.nested,
+        ),
+        Mistake(::keepsAFragment, "the fragment is in a field, for all renderings", RuleNames.meets),
+        Mistake(::keepsSpans, "the spans are in a field, for all renderings", RuleNames.meets),
+        Mistake(::callsFromAThread, "the sink is called by a thread of the renderer's own", RuleNames.caller),
+        Mistake(::callsAtOnce, "several threads call the sink, each with its row", RuleNames.caller),
+        Mistake(
+            ::writesOnlyChanges, "an element of a row is written only if it differs from the row before",
+            RuleNames.overwrites,
+        ),
+        Mistake(
+            ::fillsRowsLater, "the next row is written into the arrays that the sink still has", RuleNames.overwrites,
+        ),
+        Mistake(
+            ::keepsRowsInAThread, "the arrays of a row are in a thread local, for all renderings", RuleNames.nested,
+        ),
+        Mistake(
+            ::losesTheInterrupt, "the interrupt status is cleared, and the picture is made all the same",
+            RuleNames.status,
+        ),
+        Mistake(::interruptsTwice, "InterruptedException is thrown with the status still set", RuleNames.status),
+    )
+
+    private fun crew(id: String, threads: Int, tools: () -> Tools) = BrokenRenderer(id) { frame, sink ->
+        emit(Crew(frame, threads, tools()).render(), sink)
+    }
+
+    private fun leavesItsThreads() = crew("leaves-its-threads", 2) { Tools(isHasty = true) }
+
+    private fun addsTheOthers() = crew("adds-the-others", 2) { Tools(isComplete = true) }
+
+    private fun keepsRowsByWidth(): BrokenRenderer {
+        val rows = ThreadLocal.withInitial { HashMap<Int, List<IntArray>>() }
+        return BrokenRenderer("keeps-rows-by-width") { frame, sink ->
+            val own = rows.get().getOrPut(frame.width) { List(3) { IntArray(frame.width) } }
+            ZBuffer().render(frame) { y, argb, depth, primitive ->
+                for ((from, to) in listOf(argb, depth, primitive).zip(own)) from.copyInto(to, 0, 0, frame.width)
+                sink.row(y, own[0], own[1], own[2])
+            }
+        }
+    }
+
+    private fun keepsRowsInAThread(): BrokenRenderer {
+        val rows = ThreadLocal.withInitial { List(3) { IntArray(0) } }
+        return BrokenRenderer("keeps-rows-in-a-thread") { frame, sink ->
+            if (rows.get()[0].size < frame.width) rows.set(List(3) { IntArray(frame.width) })
+            val own = rows.get()
+            ZBuffer().render(frame) { y, argb, depth, primitive ->
+                for ((from, to) in listOf(argb, depth, primitive).zip(own)) from.copyInto(to, 0, 0, frame.width)
+                sink.row(y, own[0], own[1], own[2])
+            }
+        }
+    }
+
+    private fun callsAfterTheEnd() = BrokenRenderer("calls-after-the-end") { frame, sink ->
+        val helper = thread(isDaemon = true) {
+            val spans = Spans()
+            try {
+                for (y in frame.region.rowStart until frame.region.rowEnd) {
+                    frame.primitives.forEach {
+                        it.spans(y, spans.apply { clear() })
+                    }
+                }
+            } catch (_: Exception) {
+                // The caller takes part, too
+            }
+        }
+        ZBuffer().render(frame, sink).also { helper.join() }
+    }
+
+    private fun sharesARow() = crew("shares-a-row", 4) {
+        var row: IntArray? = null
+        Tools(row = { width -> synchronized(this) { row ?: IntArray(width).also { row = it } } })
+    }
+
+    private fun sharesAFragment() = crew("shares-a-fragment", 4) {
+        val fragment = Fragment()
+        Tools(fragment = { fragment })
+    }
+
+    private fun losesUpdates() = crew("loses-updates", 4) { Tools(isLocked = false) }
+
+    private fun sharesCounters() = crew("shares-counters", 4) {
+        val counters = Counters.Builder()
+        Tools(counters = { counters })
+    }
+
+    private fun losesErrors() = crew("loses-errors", 4) { Tools(isPassedOn = { it !is Error }) }
+
+    private fun deliversHalfPictures() = crew("delivers-half-pictures", 4) { Tools(isPatient = false) }
+
+    private fun keepsAFragment(): BrokenRenderer {
+        val fragment = Fragment()
+        return crew("keeps-a-fragment", 1) { Tools(fragment = { fragment }) }
+    }
+
+    private fun keepsSpans(): BrokenRenderer {
+        val spans = Spans()
+        return crew("keeps-spans", 1) { Tools(spans = { spans }) }
+    }
+
+    private fun callsFromAThread() = BrokenRenderer("calls-from-a-thread") { frame, sink ->
+        val image = ZBuffer().render(frame)
+        thread { emit(image, sink) }.join()
+        image.counters
+    }
+
+    private fun callsAtOnce() = BrokenRenderer("calls-at-once") { frame, sink ->
+        val image = ZBuffer().render(frame)
+        (0 until image.height).map { row -> thread { emit(image, sink, listOf(row)) } }.forEach { it.join() }
+        image.counters
+    }
+
+    private fun writesOnlyChanges() = BrokenRenderer("writes-only-changes") { frame, sink ->
+        val image = ZBuffer().render(frame)
+        val rows = List(3) { IntArray(image.width) }
+        for (y in 0 until image.height) {
+            listOf(image.argb, image.depth, image.primitive).forEachIndexed { i, all ->
+                for (x in 0 until image.width) {
+                    val at = y * image.width + x
+                    if (y == 0 || all[at] != all[at - image.width]) rows[i][x] = all[at]
+                }
+            }
+            sink.row(image.region.rowStart + y, rows[0], rows[1], rows[2])
+        }
+        image.counters
+    }
+
+    private fun fillsRowsLater() = BrokenRenderer("fills-rows-later") { frame, sink ->
+        ZBuffer().render(frame) { y, argb, depth, primitive ->
+            val next = thread { depth.fill(y) }
+            sink.row(y, argb, depth, primitive)
+            next.join()
+        }
+    }
+
+    private fun losesTheInterrupt() = BrokenRenderer("loses-the-interrupt") { frame, sink ->
+        Thread.interrupted()
+        ZBuffer().render(frame) { y, argb, depth, primitive ->
+            sink.row(y, argb, depth, primitive)
+            Thread.interrupted()
+        }
+    }
+
+    private fun interruptsTwice() = BrokenRenderer("interrupts-twice") { frame, sink ->
+        try {
+            ZBuffer().render(frame, sink)
+        } catch (e: InterruptedException) {
+            Thread.currentThread().interrupt()
+            throw e
+        }
+    }
+}
