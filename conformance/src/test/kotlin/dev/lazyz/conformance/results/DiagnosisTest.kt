@@ -156,7 +156,10 @@ class DiagnosisTest {
 
     @Test
     fun crashesHaveHintsOfTheirOwn() {
-        val hints = mapOf(DisruptiveRenderers.exhausts() to "arrays that are sized", DisruptiveRenderers.recurses() to "recursion whose")
+        val hints = mapOf(
+            DisruptiveRenderers.exhausts() to "arrays that are sized",
+            DisruptiveRenderers.recurses() to "recursion whose"
+        )
         for ((renderer, hint) in hints) {
             val report = Conformance { renderer }.tries(0.05).withoutShrinking()
                 .rule(names.nearest).rule(names.ties).run()
