@@ -174,7 +174,12 @@ class DiagnosisTest {
     @Test
     fun reportBeginsWithTheCauseAndIsShortHoweverMuchFails() {
         val suite = Conformance { BasicMistakes.lastWinsTies() }.tries(0.02).withoutShrinking()
-        for (rule in SuiteRun.quickRules) suite.rule(rule)
+
+        // Those about pictures, without the ones that take seconds
+        val chapters = listOf("rule_2_", "rule_4_", "rule_5_")
+        for (rule in SuiteRun.quickRules) {
+            if (chapters.any(rule::startsWith) && "Million" !in rule && "million" !in rule) suite.rule(rule)
+        }
         val report = suite.run()
         val text = report.toText()
         assertTrue(report.results.count { it.outcome.isFailure } > 10, text)
