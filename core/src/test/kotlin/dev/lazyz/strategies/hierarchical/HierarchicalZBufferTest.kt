@@ -12,9 +12,9 @@ import dev.lazyz.Rgba
 import dev.lazyz.Spans
 import dev.lazyz.behindAll
 import dev.lazyz.strategies.AwkwardFrames
-import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer.Order
 import dev.lazyz.strategies.Stacks
 import dev.lazyz.strategies.Submission
+import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer.Order
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.FrameBuilder
 import kotlin.random.Random

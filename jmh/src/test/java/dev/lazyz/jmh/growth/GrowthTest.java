@@ -43,8 +43,11 @@ class GrowthTest {
     @Test
     @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     void theModelChoosesWell() {
-        assertTrue(committedPage.good(false) >= GOOD * committedPage.choices(false), () -> committedPage.section("choices"));
-        assertTrue(committedPage.good(true) >= FAIR * committedPage.choices(true), () -> committedPage.section("choices"));
+        assertTrue(
+                committedPage.good(false) >= GOOD * committedPage.choices(false),
+                () -> committedPage.section("choices"));
+        assertTrue(
+                committedPage.good(true) >= FAIR * committedPage.choices(true), () -> committedPage.section("choices"));
     }
 
     @Test
