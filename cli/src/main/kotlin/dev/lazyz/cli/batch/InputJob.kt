@@ -3,23 +3,13 @@ package dev.lazyz.cli.batch
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.input.TimeLimit
-import dev.lazyz.cli.output.Progress
 import dev.lazyz.cli.output.Streams
-import dev.lazyz.cli.sheet.ContactSheet
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.scenes.SceneFormatException
 import java.io.ByteArrayOutputStream
 import java.io.OutputStream
 import java.io.PrintStream
 import java.nio.file.Path
-
-/** What the inputs of a batch share. */
-internal class Shares(
-    val memory: MemoryShare,
-    val threads: ThreadShare,
-    val progress: Progress,
-    val sheet: ContactSheet?,
-)
 
 /**
  * Renders all pictures of one input. Reads it once, and holds memory meanwhile: first as much as most files need; if

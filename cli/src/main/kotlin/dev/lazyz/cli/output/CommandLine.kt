@@ -22,3 +22,8 @@ internal object CommandLine {
         return kept + args.drop(end)
     }
 }
+
+/** The version of zcli, from the manifest of the jar. */
+internal object Version {
+    val text: String get() = Version::class.java.`package`?.implementationVersion ?: "(development)"
+}

@@ -1,5 +1,6 @@
 package dev.lazyz.cli.output
 
+import com.github.ajalt.mordant.rendering.TextAlign
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Image
@@ -114,4 +115,21 @@ internal class Tally(private val width: Int, isHashed: Boolean) : RowSink {
 
     /** Returns [dev.lazyz.Image.pixelHash] of the rows. Call it once, after the last row. */
     fun hash(): String = checkNotNull(hash) { "no hash was requested" }.digest()
+}
+
+/** Formats [Statistics] as a table. */
+internal object StatisticsTable {
+    fun of(statistics: Statistics): String = PlainTable.of {
+        column(1) { align = TextAlign.RIGHT }
+        body { statistics.entries.forEach { (key, value) -> row(key, readable(key, value)) } }
+    }
+
+    /** Returns a value of the statistics with its unit and with separators. */
+    fun readable(key: String, value: Any): String = when {
+        key == "peakBytes" -> Bytes.readable(value as Long)
+        key == "coverage" -> "%.2f %%".format(null, 100 * value as Double)
+        value is Long -> "%,d".format(null, value)
+        value is Double -> "%.2f".format(null, value)
+        else -> value.toString()
+    }
 }

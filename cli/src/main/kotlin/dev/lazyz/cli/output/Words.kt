@@ -6,3 +6,6 @@ package dev.lazyz.cli.output
  */
 internal fun counted(number: Long, one: String, several: String = "${one}s"): String =
     "%,d %s".format(null, number, if (number == 1L) one else several)
+
+/** Returns [text] on one line, with `?` for control characters, which a terminal would execute. */
+internal fun printable(text: String): String = text.map { if (it.isISOControl()) '?' else it }.joinToString("")
