@@ -143,3 +143,65 @@ private class DirectCursor(private val primitive: Primitive, private var y: Int)
         y++
     }
 }
+
+/**
+ * A linear function of the sample position: v(x, y) = c + dx x + dy y, in 64-bit two's complement.
+ *
+ * x and y are the column and row of a sample. Addition wraps and is associative, so stepping along a row by [dx],
+ * stepping down a column by [dy] and evaluating with [at] give the same result, bit for bit (contract rule 3.1). In the
+ * form of a depth, the upper 32 bits are the integer part and the lower 32 the fraction. Edge functions are plain
+ * integers. Immutable and thread safe.
+ *
+ * @property c value at sample (0, 0)
+ * @property dx change from one column to the next
+ * @property dy change from one row to the next
+ */
+public class LinearForm(public val c: Long, public val dx: Long, public val dy: Long) {
+    /** Returns the value at sample ([x], [y]). Cost: two multiplications. */
+    public fun at(x: Int, y: Int): Long = c + dx * x + dy * y
+
+    override fun equals(other: Any?): Boolean =
+        other is LinearForm && c == other.c && dx == other.dx && dy == other.dy
+
+    override fun hashCode(): Int = (c.hashCode() * 31 + dx.hashCode()) * 31 + dy.hashCode()
+
+    override fun toString(): String = "LinearForm($c + $dx x + $dy y)"
+
+    public companion object {
+        /** Returns the form whose integer part is [value] everywhere. */
+        @JvmStatic
+        public fun constant(value: Int): LinearForm = LinearForm((value.toLong() shl 32) + HALF, 0, 0)
+
+        /** Half a unit of the integer part. It is added once, so that truncating the fraction rounds to nearest. */
+        internal const val HALF: Long = 1L shl 31
+    }
+}
+
+/** A primitive that covers no sample. It replaces primitives that are degenerate or not visible (contract rule 9.4). */
+internal object EmptyPrimitive : Primitive {
+    override val rowStart: Int get() = 0
+    override val rowEnd: Int get() = 0
+    override val columnStart: Int get() = 0
+    override val columnEnd: Int get() = 0
+
+    override fun spans(y: Int, spans: Spans) = Unit
+
+    override fun depth(x: Int, y: Int): Int = error("an empty primitive has no depth")
+
+    override fun shade(fragment: Fragment) = error("an empty primitive has no colour")
+
+    override fun toString(): String = "EmptyPrimitive"
+}
+
+/** A primitive with the coverage and depth of [whole], whose colour is not computed: black. */
+internal class UnshadedPrimitive(private val whole: Primitive) : Primitive by whole {
+    override val shadingStartCost: Int get() = 0
+
+    override fun shade(fragment: Fragment) {
+        fragment.setColor(0f, 0f, 0f)
+    }
+
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
+
+    override fun toString(): String = "UnshadedPrimitive($whole)"
+}

@@ -22,7 +22,7 @@ public class Spans @JvmOverloads constructor(
         private set
 
     /** Bytes of the list at its current capacity. */
-    internal val bytes: Long get() = Int.SIZE_BYTES * bounds.size.toLong()
+    internal val bytes: Long get() = bounds.bytes
 
     /** First column of span [i]. */
     public fun start(i: Int): Int = bounds[2 * i]

@@ -1,17 +1,29 @@
 package dev.lazyz
 
+import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.Box
+import dev.lazyz.lighting.GroundShadow
+import dev.lazyz.sections.Section
+import dev.lazyz.sections.SectionPlane
+import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
+import dev.lazyz.world.ToneCurve
+import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Sides
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
 import java.util.function.UnaryOperator
 import org.joml.Vector3d
+import org.joml.Vector3dc
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** Contract rule 2.8: custom primitives and surfaces. */
@@ -68,7 +80,7 @@ class OwnPrimitiveTest {
     }
 
     /** A surface that consists of two spheres and a part that is never visible. */
-    private class Dumbbell(private val material: Material) : Surface {
+    private class Dumbbell(override val material: Material) : Surface {
         private val left = Sphere(Vector3d(-1.0, 0.0, 0.0), 0.8, material)
         private val right = Sphere(Vector3d(1.0, 0.0, 0.0), 0.8, material)
         override val bounds: Box get() = left.bounds!!.union(right.bounds!!)
@@ -101,5 +113,51 @@ class OwnPrimitiveTest {
         }
         assertEquals(bare, bare.withMaterials { Material() })
         assertEquals(0, scene { add(bare) }.frame(4, 4).primitives.size)
+    }
+
+    /** A custom surface that answers all that a scene asks its surfaces. */
+    private class Flag(
+        override val material: Material,
+        override val origin: Vector3dc = Vector3d(),
+        override val pixelSize: Double = 0.0,
+    ) : Surface {
+        override val bounds: Box get() = Box(-1.0, -1.0, -1.0, 1.0, 1.0, 1.0)
+        override val setUpBytes: Long get() = 1_000_000
+
+        override fun primitives(setUp: SetUp): Sequence<Primitive> =
+            sequenceOf(setUp.sphere(Sphere(origin, 1.0, material)))
+
+        override fun hasUvs(set: Int): Boolean = set == 1
+
+        override fun withMaterials(change: UnaryOperator<Material>): Surface =
+            Flag(change.apply(material), origin, pixelSize)
+    }
+
+    @Test
+    fun aSurfaceOfOnesOwnAnswersForItself() {
+        // Its material decides about exposure, sections and shadows
+        val metal = Scene(listOf(Flag(Material().asMetallicRoughness().withSides(Sides.FRONT))))
+        assertEquals(ToneCurve.NEUTRAL, metal.effectiveToneMapping.curve)
+        val cut = Section(listOf(SectionPlane.x(0.0))).of(metal).scene.surfaces.single()
+        assertEquals(Sides.BOTH, cut.material?.sides)
+        val glass = Material(Rgba(1f, 1f, 1f, 0.5f), alphaMode = AlphaMode.BLEND)
+        val above = Camera.orthographic(Vector3d(0.0, 5.0, 0.0), Vector3d(), Vector3d(0.0, 0.0, -1.0), 6.0, 0.1, 10.0)
+        fun seen(surfaces: List<Surface>) =
+            Tiled().render(Scene(surfaces, viewpoint = above).frame(16, 16)).pixelHash()
+        fun shadow(of: Flag) = seen(listOf(GroundShadow.of(Scene(listOf(of)))))
+        assertNotEquals(seen(emptyList()), shadow(Flag(Material())))
+        for (light in listOf(Flag(glass), Flag(Material(), pixelSize = 2.0))) {
+            assertEquals(seen(emptyList()), shadow(light))
+        }
+
+        // So do its origin, its size in samples, its memory and its texture coordinates
+        val far = Vector3d(1e6, 2e6, 3e6)
+        assertEquals(far, Scene(listOf(Flag(Material(), far))).origin)
+        val wide = Scene(listOf(Flag(Material(), pixelSize = 3000.0)))
+        assertTrue("3000.0" in SuperSampling(4).obstacle(wide, Raster(8, 8)).orEmpty())
+        assertEquals(1_000_000, wide.setUpBytes)
+        val both = Scene(listOf(Flag(Material()), Sphere(Vector3d(), 1.0)))
+        val painted = both.withMaterials { it.withTexture(SampleScenes.checks) }
+        assertEquals(listOf(null, SampleScenes.checks), painted.surfaces.map { it.material?.texture })
     }
 }

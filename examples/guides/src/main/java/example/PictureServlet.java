@@ -6,7 +6,6 @@ import dev.lazyz.filter.SampledFrame;
 import dev.lazyz.planning.MemoryItem;
 import dev.lazyz.planning.RenderPlan;
 import dev.lazyz.planning.RenderPlanner;
-import dev.lazyz.planning.SetUpMemory;
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadedScene;
 import dev.lazyz.scenes.PictureSettings;
@@ -114,7 +113,7 @@ public class PictureServlet extends HttpServlet {
 
     private Image picture(byte[] body, SceneFormat format) throws IOException, InterruptedException {
         LoadedScene loaded = Scenes.load(new ByteArrayInputStream(body), format, "upload", null, LIMITS);
-        long setUp = SetUpMemory.bytes(loaded.getScene());
+        long setUp = loaded.getScene().getSetUpBytes();
         requireMemory(setUp <= DRAWING_BYTES);
         SampledFrame frame = SETTINGS.frame(loaded);
         RenderPlan plan = new RenderPlanner(DRAWING_BYTES)

@@ -2,7 +2,6 @@ package example
 
 import dev.lazyz.planning.MemoryItem
 import dev.lazyz.planning.RenderPlanner
-import dev.lazyz.planning.SetUpMemory
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.PictureSettings
@@ -96,7 +95,7 @@ private suspend fun ApplicationCall.picture(format: SceneFormat) {
 
 private fun png(body: ByteArray, format: SceneFormat): ByteArray {
     val loaded = Scenes.load(body, format, "upload", options)
-    val setUp = SetUpMemory.bytes(loaded.scene)
+    val setUp = loaded.scene.setUpBytes
     requireMemory(setUp <= DRAWING_BYTES)
     val frame = settings.frame(loaded)
     val plan = RenderPlanner(DRAWING_BYTES).plan(frame, listOf(renderer), listOf(MemoryItem("set-up", setUp)))

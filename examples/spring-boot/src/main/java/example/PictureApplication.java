@@ -5,7 +5,6 @@ import dev.lazyz.filter.SampledFrame;
 import dev.lazyz.planning.MemoryItem;
 import dev.lazyz.planning.RenderPlan;
 import dev.lazyz.planning.RenderPlanner;
-import dev.lazyz.planning.SetUpMemory;
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadOptions;
 import dev.lazyz.scenes.LoadedScene;
@@ -115,7 +114,7 @@ public class PictureApplication {
 
     private byte[] png(byte[] model, SceneFormat format) throws IOException, InterruptedException {
         LoadedScene loaded = Scenes.load(model, format, "upload", OPTIONS);
-        long setUp = SetUpMemory.bytes(loaded.getScene());
+        long setUp = loaded.getScene().getSetUpBytes();
         requireMemory(setUp <= DRAWING_BYTES);
         SampledFrame frame = SETTINGS.frame(loaded);
         RenderPlan plan = new RenderPlanner(DRAWING_BYTES)

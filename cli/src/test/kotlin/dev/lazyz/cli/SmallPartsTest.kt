@@ -8,7 +8,7 @@ import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Nearest
 import dev.lazyz.cli.output.Streams
-import dev.lazyz.cli.strategies.MemoryNeed
+import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.hybrid.Hybrid
 import dev.lazyz.strategies.painter.Painter
@@ -87,12 +87,13 @@ class SmallPartsTest {
 
     @Test
     fun memoryIsEstimatedBeforeItIsNeeded() {
-        MemoryNeed.check(ZBuffer(), Region(0, 0, 100, 100), available = 120_000)
+        Strategies.requireMemory(ZBuffer(), Region(0, 0, 100, 100), available = 120_000)
         val larger = Region(0, 0, 100, 101)
-        val mistake = assertThrows(Mistake::class.java) { MemoryNeed.check(ZBuffer(), larger, available = 120_000) }
+        val mistake =
+            assertThrows(Mistake::class.java) { Strategies.requireMemory(ZBuffer(), larger, available = 120_000) }
         val parts = listOf("100x101", "'zbuffer'", "118.3 KiB", "117.1 KiB", "-Xmx2g")
         assertEquals(parts, parts.filter { it in mistake.message.orEmpty() }, mistake.message)
-        MemoryNeed.check(BuggyRenderer(), Region(0, 0, 262_144, 262_144), available = 1)
+        Strategies.requireMemory(BuggyRenderer(), Region(0, 0, 262_144, 262_144), available = 1)
     }
 
     @Test
@@ -100,8 +101,8 @@ class SmallPartsTest {
         fun assertNeeds(bytesPerPixel: Long, strategy: Renderer, kept: Long = 0) {
             val picture = Region(0, 0, 1000, 1000)
             val need = (bytesPerPixel + kept) * picture.size
-            MemoryNeed.check(strategy, picture, kept, need)
-            assertThrows(Mistake::class.java) { MemoryNeed.check(strategy, picture, kept, need - 1) }
+            Strategies.requireMemory(strategy, picture, kept, need)
+            assertThrows(Mistake::class.java) { Strategies.requireMemory(strategy, picture, kept, need - 1) }
         }
         assertNeeds(12, ZBuffer())
         assertNeeds(12, Hybrid())
@@ -115,9 +116,9 @@ class SmallPartsTest {
         val largest = Raster(262_144, 262_144).region
         for (strategy in Renderers.builtIn) {
             if (Capability.CONSTANT_MEMORY in strategy.capabilities) {
-                MemoryNeed.check(strategy, largest)
+                Strategies.requireMemory(strategy, largest)
             } else {
-                assertThrows(Mistake::class.java, { MemoryNeed.check(strategy, largest) }, strategy.id)
+                assertThrows(Mistake::class.java, { Strategies.requireMemory(strategy, largest) }, strategy.id)
             }
         }
     }

@@ -49,6 +49,8 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
     /** The width of visible lines as they are drawn, samples; the unit of all lengths below. */
     private val width = maxOf(style.width, 1.0)
 
+    override val pixelSize: Double get() = style.width
+
     /** Null: the surfaces have bounds of their own. */
     override val bounds: Box? get() = null
 

@@ -1,6 +1,7 @@
 package dev.lazyz.drawing
 
 import dev.lazyz.Checkpoint
+import dev.lazyz.FillRule
 import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.world.material.AlphaMode
@@ -256,4 +257,17 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double, checkpoin
         /** A triangle whose height is this part of its length has its corners in one line. */
         const val FLAT = 1e-6
     }
+}
+
+/**
+ * A flat face with contours: a polygon of the scene. Immutable.
+ *
+ * @property contours point numbers of each closed contour
+ */
+internal class OutlinedFace(val contours: List<IntArray>, val fillRule: FillRule) {
+    /** All vertices, in the order of the contours. */
+    val points: Set<Int> = contours.flatMapTo(LinkedHashSet()) { it.asIterable() }
+
+    /** Whether [point] is a vertex. */
+    fun has(point: Int): Boolean = point in points
 }

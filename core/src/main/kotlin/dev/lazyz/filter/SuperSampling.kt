@@ -4,7 +4,6 @@ import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
-import dev.lazyz.drawing.EdgeDrawing
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
@@ -70,7 +69,7 @@ public class SuperSampling @JvmOverloads constructor(
     public fun obstacle(scene: Scene, pixels: Raster): String? {
         val most = Raster.MAX_SIDE / factor
         val widest = Points.MAX_SIZE / factor
-        val size = scene.surfaces.maxOfOrNull { sizeOf(it) } ?: 0.0
+        val size = scene.surfaces.maxOfOrNull { it.pixelSize } ?: 0.0
         return when {
             factor == 1 -> null
 
@@ -85,13 +84,6 @@ public class SuperSampling @JvmOverloads constructor(
 
             else -> null
         }
-    }
-
-    private fun sizeOf(surface: Surface): Double = when (surface) {
-        is Points -> surface.size
-        is Lines -> surface.width
-        is EdgeDrawing -> surface.style.width
-        else -> 0.0
     }
 
     /**
@@ -117,4 +109,17 @@ public class SuperSampling @JvmOverloads constructor(
         @JvmField
         public val NONE: SuperSampling = SuperSampling(1)
     }
+}
+
+/** How often a primitive is shaded with several samples a pixel. */
+public enum class ShadingRate {
+    /** At every visible sample. */
+    SAMPLE,
+
+    /**
+     * Once for each primitive that is visible in a pixel, at its visible sample that is nearest to the pixel's centre.
+     * The edges of primitives are as smooth as with [SAMPLE]; highlights are not. Textures with a `MipFilter` are read
+     * with the footprint of a pixel, as with one sample a pixel. For expensive shaders.
+     */
+    PIXEL,
 }

@@ -44,7 +44,7 @@ public object LightMeter {
         var light = 0.0
         var area = 0.0
         for (surface in scene.surfaces) {
-            val material = Scene.materialOf(surface)
+            val material = surface.material
             if (material == null || material.shading == Shading.CONSTANT || material.shader != null) continue
             measure(surface) { itsArea, luminance ->
                 area += itsArea

@@ -46,8 +46,7 @@ internal class Occluders(scene: Scene) {
     }
 
     private fun hidesLight(surface: Surface): Boolean =
-        surface !is Points && surface !is Lines && surface !is EdgeDrawing &&
-            Scene.materialOf(surface)?.alphaMode != AlphaMode.BLEND
+        surface.pixelSize == 0.0 && surface.material?.alphaMode != AlphaMode.BLEND
 
     /**
      * Returns a map with [size] texels a side for each of the [directions]. Cost: a small rendering without colours for

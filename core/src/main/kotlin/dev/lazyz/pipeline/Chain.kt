@@ -4,7 +4,9 @@ import dev.lazyz.Checkpoint
 import dev.lazyz.Coherence
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
+import dev.lazyz.HeapLayout
 import dev.lazyz.Spans
+import dev.lazyz.bytes
 import dev.lazyz.raster.byFirstRow
 import dev.lazyz.raster.forEachPrimitive
 import dev.lazyz.raster.reaches
@@ -49,6 +51,7 @@ internal class Chain(
      * before [settled]. The rows of those before [entered] have begun.
      */
     private val entries: LongArray? = entries()
+    private val entryBytes = entries?.bytes ?: 0
     private var settled = 0
     private var entered = 0
 
@@ -81,7 +84,7 @@ internal class Chain(
     /** Ends [row], the output of the last stage: removes the stages whose primitives end here. */
     fun end(row: Row) {
         row.counting.peakSuspensions = row.keys.count { row.test.indexOf(it) != DepthTest.BACKGROUND }.toLong()
-        row.hold(Long.SIZE_BYTES * (entries?.size ?: 0) + REFERENCE_BYTES * stages.size + stageBytes + spansBytes)
+        row.hold(entryBytes + stages.bytes + stageBytes + spansBytes)
         leave(row.y)
     }
 
@@ -124,8 +127,8 @@ internal class Chain(
     private fun hasRoom(bytes: Long): Boolean {
         if (budget == null) return true
         val capacity = if (size == stages.size) 3 * size else stages.size
-        val held = shadingBytes + Long.SIZE_BYTES * (entries?.size ?: 0) + stageBytes
-        return bytes + REFERENCE_BYTES * (capacity - CAPACITY) <= budget - held
+        val held = shadingBytes + entryBytes + stageBytes
+        return bytes + HeapLayout.REFERENCE * (capacity - CAPACITY) <= budget - held
     }
 
     /** Draws all primitives of the row, without stages. */
@@ -162,9 +165,6 @@ internal class Chain(
 
     private companion object {
         const val CAPACITY = 16
-
-        /** Bytes of a reference in a Java heap larger than 32 gigabytes; it is half as much in smaller heaps. */
-        const val REFERENCE_BYTES = 8L
 
         val BY_INDEX = Comparator<Stage?> { a, b -> a!!.index.compareTo(b!!.index) }
     }

@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.RowSink
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.shading.LateShading
 
@@ -25,7 +26,7 @@ internal class KeyedRows(
     private val indices = IntArray(width)
 
     /** Peak memory so far, in bytes. */
-    val bytes: Long get() = 3L * Int.SIZE_BYTES * width + shading.peakBytes
+    val bytes: Long get() = colors.bytes + depths.bytes + indices.bytes + shading.peakBytes
 
     /**
      * Passes the rows of [band], which is as wide as the frame's region, to [sink]. [keys] has one key a sample, in

@@ -8,6 +8,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.bytes
 import dev.lazyz.shading.LateShading
 import java.io.IOException
 
@@ -63,7 +64,7 @@ public class Row internal constructor(private val frame: Frame, public val y: In
     internal val keys = LongArray(width)
 
     /** Bytes of the renderer and of this row. */
-    private var bytes = Long.SIZE_BYTES * keys.size.toLong()
+    private var bytes = keys.bytes
 
     /** The colours computed so far. */
     private var colors: IntArray? = null
@@ -134,7 +135,7 @@ public class Row internal constructor(private val frame: Frame, public val y: In
         // All colours are known now
         isWhole = true
         single = null
-        bytes -= Long.SIZE_BYTES * (forced?.size ?: 0).toLong()
+        bytes -= forced?.bytes ?: 0
         this.forced = null
         return colors
     }
@@ -158,7 +159,7 @@ public class Row internal constructor(private val frame: Frame, public val y: In
             depths[i] = test.depthOf(keys[i])
             indices[i] = test.indexOf(keys[i])
         }
-        account(2L * Int.SIZE_BYTES * width)
+        account(depths.bytes + indices.bytes)
         sink.row(y, colors, depths, indices)
     }
 
@@ -166,12 +167,12 @@ public class Row internal constructor(private val frame: Frame, public val y: In
 
     private fun colors(): IntArray = colors ?: IntArray(width).also {
         colors = it
-        hold(Int.SIZE_BYTES * it.size.toLong())
+        hold(it.bytes)
     }
 
     private fun forced(): LongArray = forced ?: LongArray((width + Long.SIZE_BITS - 1) / Long.SIZE_BITS).also {
         forced = it
-        hold(Long.SIZE_BYTES * it.size.toLong())
+        hold(it.bytes)
     }
 
     private fun isForced(forced: LongArray, at: Int): Boolean = forced[at / Long.SIZE_BITS] ushr at and 1L != 0L

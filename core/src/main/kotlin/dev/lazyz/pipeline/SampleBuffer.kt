@@ -5,6 +5,7 @@ import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RowSink
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 
 /**
@@ -24,7 +25,7 @@ internal class SampleBuffer(raster: Raster, val region: Region) {
     val keys: LongArray
 
     /** Bytes held. */
-    val bytes: Long get() = BYTES_PER_SAMPLE * region.size
+    val bytes: Long get() = argb.bytes + keys.bytes
 
     init {
         require(raster.region.contains(region)) { "$region must be within $raster" }

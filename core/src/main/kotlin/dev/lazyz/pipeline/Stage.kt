@@ -1,8 +1,9 @@
 package dev.lazyz.pipeline
 
 import dev.lazyz.Frame
+import dev.lazyz.HeapLayout
 import dev.lazyz.Spans
-import dev.lazyz.raster.TrapezoidCursor
+import dev.lazyz.raster.bytes
 
 /**
  * A primitive as a transformation of rows: takes the upstream row, whose cells show all earlier primitives, and returns
@@ -23,7 +24,7 @@ internal open class Stage(frame: Frame, val index: Int, y: Int, private val span
     val rowEnd: Int = minOf(primitive.rowEnd, frame.region.rowEnd)
 
     /** Bytes of this stage. */
-    open val bytes: Long get() = BYTES + if (cursor is TrapezoidCursor) cursor.bytes else CURSOR_BYTES
+    open val bytes: Long get() = HeapLayout.STAGE + cursor.bytes
 
     /** Receives the next row from upstream and returns the row for downstream. */
     open fun next(upstream: Row): Row = transform(upstream)
@@ -57,13 +58,5 @@ internal open class Stage(frame: Frame, val index: Int, y: Int, private val span
         row.counting.fragments += end - start
         row.counting.depthEvaluations += end - start
         row.counting.depthPasses += passes
-    }
-
-    private companion object {
-        /** Bytes of a stage: a header and seven fields. */
-        const val BYTES = 40L
-
-        /** Bytes of a cursor that evaluates each row directly. The size of a custom cursor is unknown. */
-        const val CURSOR_BYTES = 24L
     }
 }

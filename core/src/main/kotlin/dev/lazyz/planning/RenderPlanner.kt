@@ -2,16 +2,17 @@ package dev.lazyz.planning
 
 import dev.lazyz.Capability
 import dev.lazyz.Frame
+import dev.lazyz.HeapLayout
 import dev.lazyz.Image
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.pipeline.LayeredRendering
+import dev.lazyz.pipeline.SampleBuffer
 import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.strategies.FrameNumbers
-import dev.lazyz.strategies.PictureMemory
-import dev.lazyz.strategies.StrategyModel
+import dev.lazyz.strategies.StrategyMemory
 import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.tiled.TiledMemory
@@ -95,7 +96,7 @@ public class RenderPlanner @JvmOverloads constructor(
     private fun tiled(renderer: Tiled, frame: Frame, others: List<MemoryItem>, chosen: RenderOptions): RenderPlan {
         val need = TiledMemory(frame, chosen.tileSize, chosen.threads)
         val items = others + listOf(
-            MemoryItem("rows of tiles", HeapArrays.bytes(need.rowBytes, memory) * need.rowArrays),
+            MemoryItem("rows of tiles", HeapLayout.array(need.rowBytes, memory) * need.rowArrays),
             MemoryItem("triangles by tile", need.bins),
             MemoryItem("other primitives by tile", need.singles),
             MemoryItem("translucent layers of tiles", need.layers),
@@ -108,11 +109,13 @@ public class RenderPlanner @JvmOverloads constructor(
     private fun streamed(renderer: Tiled, frame: Frame, others: List<MemoryItem>, chosen: RenderOptions): RenderPlan {
         val need = TiledMemory(Frame(frame.raster, emptyList(), frame.region), chosen.tileSize, chosen.threads)
         val parts = others + listOf(
-            MemoryItem("parts of the model", STREAM_BYTES),
-            MemoryItem("rows of tiles", HeapArrays.bytes(need.rowBytes, memory) * need.rowArrays),
+            MemoryItem("parts of the model", StrategyMemory.STREAM),
+            MemoryItem("rows of tiles", HeapLayout.array(need.rowBytes, memory) * need.rowArrays),
             MemoryItem("threads", need.workers),
         )
-        val rowBytes = frame.width * if (frame.hasTranslucency) LayeredRendering.BYTES_PER_SAMPLE else SAMPLE_BYTES
+        val sampleBytes =
+            if (frame.hasTranslucency) LayeredRendering.BYTES_PER_SAMPLE else SampleBuffer.BYTES_PER_SAMPLE
+        val rowBytes = frame.width * sampleBytes
         val free = minOf(RenderPlan.usable(memory) - parts.sumOf { it.bytes }, chosen.bandBytes ?: Long.MAX_VALUE)
 
         // Many passes over the model would take very long
@@ -143,30 +146,24 @@ public class RenderPlanner @JvmOverloads constructor(
         val isStreamed = frame.isStreamed
         val numbers = if (isStreamed) pictureOnly(frame) else FrameNumbers.of(frame)
         val parts = others + when {
-            isStreamed -> listOf(MemoryItem("parts of the model", OBJECTS_BYTES))
-            else -> listOf(MemoryItem("vertices of triangles", VERTEX_BYTES * vertices(frame)))
+            isStreamed -> listOf(MemoryItem("parts of the model", StrategyMemory.STREAM_OF_OBJECTS))
+            else -> listOf(MemoryItem("vertices of triangles", StrategyMemory.VERTEX * vertices(frame)))
         }.filter { it.bytes > 0 }
-        val whole = bytes(renderer, numbers, frame, options.memoryBudget)
+        val whole = StrategyMemory.reserved(renderer, numbers, options.memoryBudget)
         var chosen = options.withDefaultBandBytes()
         var need = whole
         val free = RenderPlan.usable(memory) - parts.sumOf { it.bytes }
         if (whole > free && options.memoryBudget == null && Capability.MEMORY_BUDGET in renderer.capabilities) {
             // With a budget of 0 only what cannot be avoided is left
-            val fixed = bytes(renderer, numbers, frame, 0)
+            val fixed = StrategyMemory.reserved(renderer, numbers, 0)
             val budget = maxOf(0, free - fixed)
             chosen = chosen.withMemoryBudget(budget)
             need = fixed + budget
         }
-        val kept = if (isStreamed && renderer is HierarchicalZBuffer) SAMPLE_BYTES * frame.region.size else 0
+        val kept = if (isStreamed && renderer is HierarchicalZBuffer) StrategyMemory.SAMPLE * frame.region.size else 0
         val items = parts + MemoryItem("strategy ${renderer.id}", need + kept)
         val words = words(renderer, chosen)
         return RenderPlan(renderer.configured(chosen.supportedBy(renderer)), memory, items, 1, "$words, in one pass")
-    }
-
-    private fun bytes(renderer: Renderer, numbers: FrameNumbers, frame: Frame, budget: Long?): Long {
-        val model = StrategyModel.bytes(renderer.id, numbers, budget)
-        if (!model.isNaN()) return (MODEL_MARGIN * model).toLong()
-        return PictureMemory.bytesPerSample(renderer) * frame.region.size + UNKNOWN_BYTES * numbers.primitives
     }
 
     /** The vertices of the objects of triangles. Triangles with a normal of their own do not share them. */
@@ -186,28 +183,22 @@ public class RenderPlanner @JvmOverloads constructor(
         return "${renderer.id}, $threads, tiles of ${chosen.tileSize} x ${chosen.tileSize}$budget"
     }
 
-    private companion object {
-        const val LEAST_TILE = 8
-
-        /** Bytes of a sample of a band: key and colour. */
-        const val SAMPLE_BYTES = 12L
+    public companion object {
+        private const val LEAST_TILE = 8
 
         /** A plan with more passes over the model than this would take very long, and is not made. */
-        const val MOST_PASSES = 64
+        private const val MOST_PASSES = 64
 
-        /** Three groups of triangles, and their bins, see docs/large-models.md. */
-        const val STREAM_BYTES = 48L shl 20
-
-        /** The same with an object for each triangle, which other strategies need. */
-        const val OBJECTS_BYTES = 160L shl 20
-
-        /** Clip space, place in the world, and attributes of a vertex. */
-        const val VERTEX_BYTES = 144L
-
-        /** The model gives what is to be expected; this is what is reserved. */
-        const val MODEL_MARGIN = 2.0
-
-        /** Bytes for each primitive in strategies that were never measured. */
-        const val UNKNOWN_BYTES = 512L
+        /**
+         * Returns the bytes that [renderer] keeps for each sample of a picture: the growth of its peak when the height
+         * of an empty picture doubles. 0 if it keeps no picture, or fails on these pictures; the rendering then reports
+         * the error. What it needs for primitives, and for rows and tiles in work, comes in addition. Cost: two
+         * renderings of empty pictures of at most 512 x 1024 samples.
+         *
+         * @throws InterruptedException if the calling thread is interrupted, and the renderer checks for it
+         */
+        @JvmStatic
+        @Throws(InterruptedException::class)
+        public fun bytesPerSample(renderer: Renderer): Long = StrategyMemory.bytesPerSample(renderer)
     }
 }

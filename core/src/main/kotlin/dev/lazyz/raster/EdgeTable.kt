@@ -1,7 +1,9 @@
 package dev.lazyz.raster
 
 import dev.lazyz.FillRule
+import dev.lazyz.HeapLayout
 import dev.lazyz.Spans
+import dev.lazyz.bytes
 
 /**
  * The edges of a polygon that cross rows of the raster, as exact integers (contract rule 2).
@@ -74,8 +76,8 @@ internal class EdgeTable(
         rowEnd = bottom
     }
 
-    /** Bytes of the table: its fields, counted as 8 bytes each, and its array. */
-    val heldBytes: Long get() = 72L + Int.SIZE_BYTES * fields.size
+    /** Bytes of the table. */
+    val heldBytes: Long get() = HeapLayout.EDGE_TABLE + fields.bytes
 
     /** First row that edge [edge] crosses. */
     fun start(edge: Int): Int = fields[STRIDE * edge + START]

@@ -1,5 +1,6 @@
 package dev.lazyz.raster
 
+import dev.lazyz.HeapLayout
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
 
@@ -35,8 +36,8 @@ internal class TrapezoidCursor(private val edges: EdgeTable, private var y: Int)
     private val divisor = LongArray(edges.count)
     private var sides = 0
 
-    /** Bytes of this cursor: an object of eleven fields and, for each edge, three ints and three longs. */
-    val bytes: Long get() = 152L + 36L * edges.count
+    /** Bytes of this cursor. */
+    val heldBytes: Long get() = HeapLayout.EDGE_CURSOR + HeapLayout.CURSOR_EDGE * edges.count
 
     override fun next(spans: Spans) {
         spans.clear()
@@ -134,3 +135,6 @@ internal class TrapezoidCursor(private val edges: EdgeTable, private var y: Int)
         remainderStep[side] = ScreenGrid.STEPS * (dx - columnStep[side] * dy)
     }
 }
+
+/** Bytes of this cursor; of a custom one they are not known. */
+internal val SpanCursor.bytes: Long get() = if (this is TrapezoidCursor) heldBytes else HeapLayout.CURSOR

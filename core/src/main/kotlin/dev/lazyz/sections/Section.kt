@@ -63,7 +63,7 @@ public class Section @JvmOverloads constructor(
     }
 
     /** Inner walls, of which some show their backs, can be seen now. */
-    private fun twoSided(surface: Surface): Surface = if (Scene.materialOf(surface)?.sides == Sides.FRONT) {
+    private fun twoSided(surface: Surface): Surface = if (surface.material?.sides == Sides.FRONT) {
         surface.withMaterials { it.withSides(Sides.BOTH) }
     } else {
         surface
@@ -146,4 +146,14 @@ public class Section @JvmOverloads constructor(
                 material.metallicRoughness?.let { MetallicRoughness(it.metallic, it.roughness) },
             )
     }
+}
+
+/**
+ * A scene that was cut, see [Section].
+ *
+ * @property scene what remains, with caps
+ * @property warnings what could not be cut or capped, in words; empty if everything could
+ */
+public class SectionedScene internal constructor(public val scene: Scene, public val warnings: List<String>) {
+    override fun toString(): String = "SectionedScene($scene, ${warnings.size} warnings)"
 }

@@ -1,6 +1,7 @@
 package dev.lazyz.setup
 
 import dev.lazyz.Fragment
+import dev.lazyz.HeapLayout
 import dev.lazyz.LinearForm
 import dev.lazyz.Shader
 import dev.lazyz.Spans
@@ -79,7 +80,7 @@ internal class LinePrimitive(
     override val greatestDepth: Int get() = if (isLevel) z0 else maxOf(z0, z1)
     override val isTranslucent: Boolean get() = strokes.isTranslucent(segment)
     override val shader: Shader get() = strokes.shader
-    override val heldBytes: Long get() = BYTES
+    override val heldBytes: Long get() = HeapLayout.LINE
 
     override fun spans(y: Int, spans: Spans) {
         if (y < rowStart || y >= rowEnd) return
@@ -132,9 +133,6 @@ internal class LinePrimitive(
     override fun toString(): String = "LinePrimitive(rows $rowStart..<$rowEnd, columns $columnStart..<$columnEnd)"
 
     private companion object {
-        /** Bytes of this object: a header, a reference, twelve numbers of 4 bytes and four of 8. */
-        const val BYTES = 96L
-
         /** Returns the component of [half] in one direction, rounded away from zero so that no line is too thin. */
         fun share(half: Int, run: Long, length: Double): Int {
             val size = ceil(half.toDouble() * Math.abs(run).toDouble() / length).toInt()

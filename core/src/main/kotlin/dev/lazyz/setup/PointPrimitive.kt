@@ -1,6 +1,7 @@
 package dev.lazyz.setup
 
 import dev.lazyz.Fragment
+import dev.lazyz.HeapLayout
 import dev.lazyz.LinearForm
 import dev.lazyz.Shader
 import dev.lazyz.Spans
@@ -33,7 +34,7 @@ internal class PointPrimitive(
     override val greatestDepth: Int get() = depth
     override val isTranslucent: Boolean get() = cloud.isTranslucent(number)
     override val shader: Shader get() = cloud.shader
-    override val heldBytes: Long get() = BYTES
+    override val heldBytes: Long get() = HeapLayout.POINT
 
     /** Whether the point covers any sample. */
     val isVisible: Boolean get() = rowStart < rowEnd && columnStart < columnEnd
@@ -48,9 +49,4 @@ internal class PointPrimitive(
 
     override fun toString(): String =
         "PointPrimitive(rows $rowStart..<$rowEnd, columns $columnStart..<$columnEnd, depth $depth)"
-
-    private companion object {
-        /** Bytes of this object: a header, a reference and four numbers. */
-        const val BYTES = 32L
-    }
 }

@@ -6,6 +6,7 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
+import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.ShadingCursor
 
@@ -115,7 +116,7 @@ internal class LateShading(
         val cursor = primitive.shadingCursor(x, y) ?: return null
         counters.shadingStarts++
         last = ShadingChain(index, cursor, x).also { chains[index] = it }
-        peakBytes = maxOf(peakBytes, chains.size * CHAIN_BYTES)
+        peakBytes = maxOf(peakBytes, chains.size * HeapLayout.SHADING_CHAIN)
         return cursor
     }
 
@@ -123,10 +124,7 @@ internal class LateShading(
         coherence == Coherence.INCREMENTAL || gap <= primitive.shadingStartCost
 
     companion object {
-        /** Bytes of a chain: two objects of a header and five 8-byte fields, and a map entry. */
-        private const val CHAIN_BYTES = 152L
-
         /** Returns the largest [peakBytes] that shading a row of [frame] with chains of steps can take. */
-        fun mostBytes(frame: Frame): Long = CHAIN_BYTES * minOf(frame.width, frame.primitives.size)
+        fun mostBytes(frame: Frame): Long = HeapLayout.SHADING_CHAIN * minOf(frame.width, frame.primitives.size)
     }
 }

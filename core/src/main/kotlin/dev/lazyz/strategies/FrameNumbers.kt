@@ -4,9 +4,6 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.Spans
-import dev.lazyz.raster.ScreenGrid
-import dev.lazyz.setup.planar.TriangleBatch
-import dev.lazyz.setup.planar.triangleBatch
 
 /**
  * The properties of a frame that determine a strategy's time and memory and are cheap to obtain. Immutable.
@@ -62,9 +59,9 @@ internal class FrameNumbers @JvmOverloads constructor(
             val batched = content.batches.sumOf { it.count.toLong() }
             val step = (content.singles.size + batched) / SAMPLE + 1
             for (number in content.singles.indices step step.toInt()) tally.add(content.singles[number])
-            for (number in content.batches.indices) {
-                val batch = content.triangleBatch(number)
-                for (triangle in 0 until batch.count step step.toInt()) tally.add(batch, triangle)
+            for (batch in content.batches) {
+                val read = batch.reader()
+                for (number in 0 until batch.count step step.toInt()) if (batch.isDrawn(number)) tally.add(read(number))
             }
             return FrameNumbers(
                 frame.width, frame.height, content.size.toLong(), step * tally.rows, step * tally.fragments,
@@ -78,32 +75,6 @@ internal class FrameNumbers @JvmOverloads constructor(
         var rows = 0.0
         var fragments = 0.0
         private val spans = Spans(region)
-
-        fun add(batch: TriangleBatch, triangle: Int) {
-            if (!batch.isDrawn(triangle)) return
-            val a = batch.place(triangle, 0)
-            val b = batch.place(triangle, 1)
-            val c = batch.place(triangle, 2)
-            val grid = batch.grid
-
-            // Assume that the share of the triangle within the region equals the share of its bounding box
-            val width = common(grid[a], grid[b], grid[c], region.columnStart, region.columnEnd)
-            val height = common(grid[a + 1], grid[b + 1], grid[c + 1], region.rowStart, region.rowEnd)
-            val doubled = (grid[b] - grid[a]).toDouble() * (grid[c + 1] - grid[a + 1]) -
-                (grid[c] - grid[a]).toDouble() * (grid[b + 1] - grid[a + 1])
-            val steps = ScreenGrid.STEPS.toDouble()
-            fragments += StrictMath.abs(doubled) / (2 * steps * steps) * width.share * height.share
-            rows += height.length / steps
-        }
-
-        private fun common(a: Int, b: Int, c: Int, start: Int, end: Int): Common {
-            val least = minOf(a, b, c)
-            val greatest = maxOf(a, b, c)
-            val from = maxOf(least, start * ScreenGrid.STEPS)
-            val until = minOf(greatest, end * ScreenGrid.STEPS)
-            val length = maxOf(0, until - from).toDouble()
-            return Common(length, if (greatest == least) 0.0 else length / (greatest - least))
-        }
 
         fun add(primitive: Primitive) {
             val start = maxOf(primitive.rowStart, region.rowStart)
@@ -122,7 +93,4 @@ internal class FrameNumbers @JvmOverloads constructor(
             fragments += covered.toDouble() * (end - start) / count
         }
     }
-
-    /** The part of an extent that lies within another: its length in grid steps, and its share of the whole. */
-    private class Common(val length: Double, val share: Double)
 }

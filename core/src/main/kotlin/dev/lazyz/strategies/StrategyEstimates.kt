@@ -105,7 +105,7 @@ public class StrategyEstimates private constructor(
             memory: Long,
         ): StrategyEstimate {
             val missing = needs.sorted() - renderer.capabilities
-            val bytes = StrategyModel.bytes(renderer.id, numbers, options.memoryBudget)
+            val bytes = StrategyMemory.expected(renderer.id, numbers, options.memoryBudget)
             val ruledOut = when {
                 missing.isNotEmpty() -> "lacks " + missing.joinToString { it.name.lowercase().replace('_', ' ') }
                 bytes > memory -> "needs about ${mebibytes(bytes)}"

@@ -14,12 +14,7 @@ import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.surface.Lines
-import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.Points
-import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.SetUp
-import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.StreamedMesh
 import dev.lazyz.world.surface.Surface
 import java.util.function.UnaryOperator
@@ -104,13 +99,16 @@ public class Scene private constructor(
      * world's origin.
      */
     public val origin: Vector3dc by lazy {
-        surfaces.firstNotNullOfOrNull { surface -> originOf(surface)?.takeIf { !Vectors.isZero(it) } } ?: Vectors.ZERO
+        surfaces.firstNotNullOfOrNull { surface -> surface.origin.takeIf { !Vectors.isZero(it) } } ?: Vectors.ZERO
     }
+
+    /** About how many bytes [frame] takes, in addition to the scene, see [Surface.setUpBytes]. */
+    public val setUpBytes: Long get() = surfaces.sumOf { it.setUpBytes }
 
     /** The [toneMapping], or the default one for this scene if it is null. */
     public val effectiveToneMapping: ToneMapping
         get() = toneMapping ?: when {
-            surfaces.any { materialOf(it)?.isPhysical == true } -> ToneMapping(ToneCurve.NEUTRAL)
+            surfaces.any { it.material?.isPhysical == true } -> ToneMapping(ToneCurve.NEUTRAL)
             else -> ToneMapping.NONE
         }
 
@@ -202,21 +200,15 @@ public class Scene private constructor(
             surface.withMaterials { material ->
                 val result = change.apply(material)
                 val added = result.uvSets - material.uvSets
-                val canShow = added.all { hasUvSet(surface, it) }
+                val canShow = added.all { surface.hasUvs(it) }
                 if (added.isNotEmpty()) if (canShow) mapped++ else bare++
-                if (canShow) result else result.withMapsOf { it in material.uvSets || hasUvSet(surface, it) }
+                if (canShow) result else result.withMapsOf { it in material.uvSets || surface.hasUvs(it) }
             }
         }
         require(bare == 0 || mapped > 0) {
             "the materials need texture coordinates, and none of the ${surfaces.size} surfaces has them"
         }
         return copy(surfaces = changed)
-    }
-
-    private fun hasUvSet(surface: Surface, set: Int): Boolean = when (surface) {
-        is Mesh -> (if (set == 0) surface.uvs else surface.uvs2) != null
-        is Points, is Lines -> false
-        else -> true
     }
 
     /**
@@ -331,25 +323,6 @@ public class Scene private constructor(
         /** Returns an empty builder. */
         @JvmStatic
         public fun builder(): Builder = Builder()
-
-        /** Returns the material of a built-in surface, or null. */
-        internal fun materialOf(surface: Surface): Material? = when (surface) {
-            is Mesh -> surface.material
-            is StreamedMesh -> surface.material
-            is Polygon -> surface.material
-            is Sphere -> surface.material
-            is Points -> surface.material
-            is Lines -> surface.material
-            else -> null
-        }
-
-        private fun originOf(surface: Surface): Vector3dc? = when (surface) {
-            is Mesh -> surface.origin
-            is StreamedMesh -> surface.origin
-            is Points -> surface.origin
-            is Lines -> surface.origin
-            else -> null
-        }
     }
 }
 

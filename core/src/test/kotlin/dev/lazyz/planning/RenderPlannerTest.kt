@@ -17,8 +17,10 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.MeshSource
+import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.StreamedMesh
 import java.util.Random
 import org.joml.Vector3d
@@ -134,6 +136,20 @@ class RenderPlannerTest {
             val objects = frame.primitives.toList()
             val taken = usedMemory() - before
             assertTrue(planned >= taken) { "${objects.size} triangles take $taken bytes, and $planned are planned" }
+        }
+    }
+
+    /** What a surface says of its set-up is at least what the frame takes. */
+    @Test
+    fun setUpTakesNoMoreThanTheSurfacesSay() {
+        val mesh = soup(60_000, 0.02, Material())
+        val vertices = mesh.positions
+        for (surface in listOf(mesh, Points(vertices), Lines(vertices, IntArray(vertices.size / 3)))) {
+            val scene = Scene(listOf(surface)).withViewpoint(SampleScenes.camera)
+            val before = usedMemory()
+            val frame = scene.frame(Raster(640, 480))
+            val taken = usedMemory() - before
+            assertTrue(taken <= scene.setUpBytes) { "$frame of $surface takes $taken, not ${scene.setUpBytes} bytes" }
         }
     }
 

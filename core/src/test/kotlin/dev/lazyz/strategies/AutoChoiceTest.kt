@@ -92,7 +92,7 @@ class AutoChoiceTest {
         val numbers = FrameNumbers.of(frame(64, grid(4)))
         for (renderer in Renderers.builtIn) {
             assertTrue(StrategyModel.milliseconds(renderer.id, numbers) > 0.0, renderer.id)
-            assertTrue(StrategyModel.bytes(renderer.id, numbers) > 0.0, renderer.id)
+            assertTrue(StrategyMemory.expected(renderer.id, numbers) > 0.0, renderer.id)
         }
         assertTrue(StrategyModel.milliseconds("unheard-of", numbers).isNaN())
     }
@@ -162,17 +162,17 @@ class AutoChoiceTest {
     @Test
     fun theImageIsPartOfTheMemory() {
         val numbers = FrameNumbers(1000, 1000, 1, 1.0, 1.0)
-        assertEquals(12e6, StrategyModel.bytes("zbuffer", numbers), 0.6e6)
+        assertEquals(12e6, StrategyMemory.expected("zbuffer", numbers), 0.6e6)
     }
 
     @Test
     fun aBudgetBoundsTheMemory() {
         val layers = FrameNumbers(1000, 1000, 1000, 1e6, 1e9)
         val least = 12e6 + 1000 + 256 * 1000
-        assertEquals(least, StrategyModel.bytes("hybrid", layers, 1000))
-        assertTrue(StrategyModel.bytes("hybrid", layers) > least)
+        assertEquals(least, StrategyMemory.expected("hybrid", layers, 1000))
+        assertTrue(StrategyMemory.expected("hybrid", layers) > least)
         val frame = frame(256, *Array(200) { grid(1, it * 0.01) })
-        val unbounded = StrategyModel.bytes("hybrid", FrameNumbers.of(frame)).toLong()
+        val unbounded = StrategyMemory.expected("hybrid", FrameNumbers.of(frame)).toLong()
         val bounded = Renderers.estimates(frame, RenderOptions(memoryBudget = 1000), memory = unbounded - 1)
         assertEquals(null, bounded.all.single { it.renderer.id == "hybrid" }.ruledOut)
     }

@@ -32,7 +32,7 @@ public final class ColdStartPhases {
         PHASES.put("JVM", "dev.lazyz.cli.MainKt");
         PHASES.put("command line", "dev.lazyz.cli.render.RenderJob");
         PHASES.put("scene", "dev.lazyz.setup.planar.PlanarSetUp");
-        PHASES.put("set-up", "dev.lazyz.cli.strategies.MemoryNeed");
+        PHASES.put("set-up", "dev.lazyz.cli.output.Tally");
         PHASES.put("render, encode", "java.lang.Shutdown");
         PHASES.put("exit", "");
     }

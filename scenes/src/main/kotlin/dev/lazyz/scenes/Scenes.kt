@@ -4,7 +4,6 @@ import dev.lazyz.scenes.builtin.Builtins
 import dev.lazyz.scenes.formats.FormatSniffer
 import dev.lazyz.scenes.formats.SceneReading
 import dev.lazyz.scenes.formats.StreamReading
-import dev.lazyz.scenes.loading.LoadingMemory
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Texture
 import java.io.InputStream
@@ -248,5 +247,5 @@ public object Scenes {
      * @param format the format of the file, or null if it is not known
      */
     @JvmStatic
-    public fun leastMemory(format: SceneFormat?, bytes: Long): Long = LoadingMemory.perByte(format) * bytes
+    public fun leastMemory(format: SceneFormat?, bytes: Long): Long = SceneFormat.memoryPerByte(format) * bytes
 }

@@ -6,10 +6,10 @@ import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.cli.strategies.MemoryNeed
+import dev.lazyz.cli.strategies.Strategies
+import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
-import dev.lazyz.strategies.PictureMemory
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -74,7 +74,7 @@ internal class InputMemory(
         if (!step.isLast && bytes(strategy, shot.frame.region.size, shot.pixels.size) > step.bytes) {
             throw TooLittleMemory()
         }
-        MemoryNeed.check(strategy, shot.frame.region, available = total, aa = shot.factor)
+        Strategies.requireMemory(strategy, shot.frame.region, available = total, aa = shot.factor)
         plan.obstacle(shot.pixels.width, shot.pixels.height)?.let {
             throw Mistake("$it; choose a smaller --size, or -o with .png")
         }
@@ -90,7 +90,7 @@ internal class InputMemory(
     }
 
     private fun bytes(strategy: Renderer, samples: Long, pixels: Long): Long =
-        PICTURE_BYTES + BYTES_PER_BYTE * (file ?: 0) + PictureMemory.bytesPerSample(strategy) * samples +
+        PICTURE_BYTES + BYTES_PER_BYTE * (file ?: 0) + RenderPlanner.bytesPerSample(strategy) * samples +
             plan.collected(pixels)
 
     private companion object {

@@ -9,7 +9,6 @@ import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
-import dev.lazyz.cli.strategies.MemoryNeed
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.world.View
@@ -34,7 +33,7 @@ internal class CompareJob(
         val able = strategies.filter { canRender(it, frame) }
         if (able.isEmpty()) throw Mistake(noneBlends())
         for (strategy in able) {
-            MemoryNeed.check(strategy, frame.region, kept = BYTES_PER_PIXEL + kept, aa = shot.factor)
+            Strategies.requireMemory(strategy, frame.region, kept = BYTES_PER_PIXEL + kept, aa = shot.factor)
         }
 
         // Render with one after the other, and so on for each repetition: what disturbs the machine, and Java's

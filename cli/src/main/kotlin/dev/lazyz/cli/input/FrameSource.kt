@@ -130,7 +130,7 @@ internal class FrameSource(
     private fun paint(scene: Scene): Paint? {
         val file = subject.texture ?: return subject.color?.let { Paint(it, null) }
         val texture = Scenes.texture(file, subject.loading.limits)
-        val bare = scene.surfaces.count { Paint.lacksTexturePlaces(it) }
+        val bare = scene.surfaces.count { !it.hasUvs(0) }
         if (bare > 0) {
             val all = scene.surfaces.size
             if (bare == all) throw Mistake("--texture: ${input.name} has no texture coordinates")

@@ -5,13 +5,6 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.surface.Lines
-import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.Points
-import dev.lazyz.world.surface.Polygon
-import dev.lazyz.world.surface.StreamedMesh
-import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 
 /**
  * A colour and a texture that replace those of all surfaces, and the colours of vertices.
@@ -24,8 +17,7 @@ internal class Paint(private val color: Rgba?, private val texture: Texture?) {
     fun applyTo(scene: Scene): Scene =
         scene.withSurfaces(
             scene.surfaces.map { surface ->
-                val shown = texture.takeUnless { lacksTexturePlaces(surface) }
-                plain(surface).withMaterials { painted(it, shown) }
+                surface.withoutColors().withMaterials { painted(it, texture.takeIf { surface.hasUvs(0) }) }
             },
         )
 
@@ -36,31 +28,4 @@ internal class Paint(private val color: Rgba?, private val texture: Texture?) {
             .withAlphaMode(if (isOpaque) AlphaMode.OPAQUE else AlphaMode.BLEND)
     }
 
-    /** Returns [surface] without colours of vertices. */
-    private fun plain(surface: Surface): Surface = when (surface) {
-        is Mesh -> with(surface) {
-            Mesh(positions, triangles, material, normals, uvs, null, origin, uvs2, tangents, name)
-        }
-        is StreamedMesh -> surface.withoutColors()
-        is Points -> with(surface) { Points(positions, size, material, normals, null, origin, name) }
-        is Lines -> with(surface) { Lines(positions, segments, width, material, null, origin, name) }
-        is Polygon -> with(surface) {
-            Polygon(
-                contours.map { contour ->
-                    contour.map { Vertex(it.x, it.y, it.z, it.u, it.v) }
-                },
-                material, fillRule, name,
-            )
-        }
-        else -> surface
-    }
-
-    companion object {
-        /** Whether [surface] has no places for the texels of a texture. */
-        fun lacksTexturePlaces(surface: Surface): Boolean = when (surface) {
-            is Mesh -> surface.uvs == null
-            is Points, is Lines -> true
-            else -> false
-        }
-    }
 }

@@ -9,7 +9,6 @@ import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.planning.MemoryItem
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
-import dev.lazyz.planning.SetUpMemory
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
@@ -115,7 +114,7 @@ internal class MemoryPlanning(
      * @throws MemoryRefusal otherwise
      */
     fun requireSetUp(loaded: LoadedScene) {
-        val setUp = SetUpMemory.bytes(loaded.scene)
+        val setUp = loaded.scene.setUpBytes
 
         // Small scenes need no look at the memory, which takes time
         if (setUp < memory / SMALL_PART) return

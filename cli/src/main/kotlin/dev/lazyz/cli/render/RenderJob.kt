@@ -11,7 +11,7 @@ import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.output.StatisticsTable
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.Tally
-import dev.lazyz.cli.strategies.MemoryNeed
+import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.planning.MemoryItem
 import dev.lazyz.scenes.LoadedScene
@@ -84,7 +84,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
             if (plan != null) streams.note(planning.explain(plan, frame, streaming))
         }
         val kept = (reference?.bytesPerPixel ?: 0) + request.aovs.bytesPerPixel / (shot.factor * shot.factor)
-        MemoryNeed.check(strategy, frame.region, kept, aa = shot.factor)
+        Strategies.requireMemory(strategy, frame.region, kept, aa = shot.factor)
 
         // Render to all outputs at once
         streams.progress("rendering ${frame.primitives.size} primitives with ${strategy.id} ...")

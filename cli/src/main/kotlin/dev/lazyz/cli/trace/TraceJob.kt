@@ -11,7 +11,7 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.Tally
 import dev.lazyz.cli.output.counted
 import dev.lazyz.cli.render.FanOut
-import dev.lazyz.cli.strategies.MemoryNeed
+import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.scenes.writers.AlphaChannel
 
@@ -35,7 +35,7 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         val shot = source.frame(loaded, choices.options())
         if (!shot.isPlain) throw Mistake("a film shows shading calls as pixels; use --aa 1 and --aa-filter box")
         val strategies = named.map { it.strategyFor(shot.frame) }
-        for (strategy in strategies) MemoryNeed.check(strategy, shot.frame.region, kept = BYTES_PER_PIXEL)
+        for (strategy in strategies) Strategies.requireMemory(strategy, shot.frame.region, kept = BYTES_PER_PIXEL)
         val picture = TracedPicture(shot.pixels)
         val tally = Tally(shot.pixels.width, isHashed = false)
 

@@ -1,6 +1,7 @@
 package dev.lazyz.drawing.strokes
 
 import dev.lazyz.Fragment
+import dev.lazyz.HeapLayout
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Spans
@@ -31,7 +32,7 @@ internal class Stroke(
     override val depthForm: LinearForm get() = LinearForm.constant(pen.depth)
     override val leastDepth: Int get() = pen.depth
     override val greatestDepth: Int get() = pen.depth
-    override val heldBytes: Long get() = BYTES
+    override val heldBytes: Long get() = HeapLayout.POINT
 
     override fun spans(y: Int, spans: Spans) {
         if (y < rowStart || y >= rowEnd) return
@@ -77,9 +78,4 @@ internal class Stroke(
         fragment.setColor(pen.color.red, pen.color.green, pen.color.blue)
 
     override fun toString(): String = "Stroke(rows $rowStart..<$rowEnd, columns $columnStart..<$columnEnd)"
-
-    private companion object {
-        /** Bytes of this object: a header, a reference and four numbers. */
-        const val BYTES = 32L
-    }
 }

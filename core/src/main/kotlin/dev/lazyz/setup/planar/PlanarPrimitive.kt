@@ -2,6 +2,7 @@ package dev.lazyz.setup.planar
 
 import dev.lazyz.Attributes
 import dev.lazyz.Fragment
+import dev.lazyz.HeapLayout
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Shader
@@ -53,7 +54,7 @@ internal class PlanarPrimitive(
     override val rowEnd: Int get() = edges.rowEnd
 
     /** Without [vertices], which the triangles of a mesh share. */
-    override val heldBytes: Long get() = HELD_BYTES + edges.heldBytes
+    override val heldBytes: Long get() = HeapLayout.PLANAR + edges.heldBytes
 
     /** Created on first use. The object is immutable and always the same, so a race between threads is harmless. */
     private var edgeFunctions: EdgeFunctions? = null
@@ -203,11 +204,5 @@ internal class PlanarPrimitive(
     companion object {
         /** What [geometry] sets. Vertices have room for all of it; what a surface does not have is 0. */
         private const val GEOMETRY = Attributes.WORLD or Attributes.NORMAL or Attributes.UV
-
-        /**
-         * Bytes of this object, the reference triangle, the corners, the depth form and, after shading, the edge
-         * functions: nine objects with 40 fields, counted as 8 bytes for each field.
-         */
-        private const val HELD_BYTES = 9 * 16L + 40 * 8L
     }
 }

@@ -2,6 +2,7 @@ package dev.lazyz.strategies.hierarchical
 
 import dev.lazyz.Image
 import dev.lazyz.Region
+import dev.lazyz.bytes
 
 /**
  * The visibility keys of a region's samples, and above them a pyramid with the farthest key of each block.
@@ -44,7 +45,7 @@ internal class DepthPyramid(val region: Region, background: Long) {
     val levelCount: Int get() = levels.size
 
     /** Bytes held. */
-    val bytes: Long get() = Long.SIZE_BYTES * (keys.size + levels.sumOf { it.size.toLong() }) + holders.size
+    val bytes: Long get() = keys.bytes + levels.sumOf { it.bytes } + holders.size
 
     init {
         require(region.size <= Image.MAX_SAMPLES) {

@@ -13,6 +13,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.Workers
+import dev.lazyz.bytes
 import dev.lazyz.pipeline.GroupedPrimitives
 import dev.lazyz.pipeline.GuardedDrawing
 import dev.lazyz.pipeline.KeyedRows
@@ -116,7 +117,7 @@ public class HierarchicalZBuffer @JvmOverloads constructor(
         // Shade after all primitives are drawn
         val rows = KeyedRows(frame, LateShading(frame, options.coherence, counters, Checkpoint.CALLER), counters)
         rows.handOut(frame.region, drawing.keys, sink)
-        counters.peakBytes = drawing.bytes + Long.SIZE_BYTES * (sorted?.size ?: 0) + rows.bytes
+        counters.peakBytes = drawing.bytes + (sorted?.bytes ?: 0) + rows.bytes
         return counters.build()
     }
 

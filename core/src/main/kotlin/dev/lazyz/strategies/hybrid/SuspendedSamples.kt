@@ -10,6 +10,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.forEachRow
 import dev.lazyz.shading.LateShading
@@ -158,7 +159,7 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
     fun finish(sink: RowSink): Counters {
         forceAll()
         counters.peakSuspensions = suspensions.peakAlive
-        counters.peakBytes = BYTES_PER_SAMPLE * region.size + suspensions.peakBytes
+        counters.peakBytes = argb.bytes + uppers.bytes + lowers.bytes + suspensions.peakBytes
         for (row in 0 until region.height) {
             endIfInterrupted()
 
@@ -176,8 +177,6 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
     }
 
     private companion object {
-        const val BYTES_PER_SAMPLE = 12L
-
         /** The sign bit of a key's lower half. */
         const val SUSPENDED = 1 shl 31
 

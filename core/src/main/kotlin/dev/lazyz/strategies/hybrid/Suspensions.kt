@@ -1,6 +1,8 @@
 package dev.lazyz.strategies.hybrid
 
+import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
+import dev.lazyz.bytes
 import dev.lazyz.setup.planar.sharedVertices
 import dev.lazyz.shading.Vertices
 
@@ -17,8 +19,7 @@ internal enum class PrimitiveCost {
  * The records of all primitives with suspended colours, with accounting of their bytes.
  *
  * Every array and object that grows with the suspensions is counted before it is allocated, and no longer counted once
- * it is dropped. While an array is replaced with a longer one, both are counted. Objects are counted with headers of 16
- * bytes and references of 8 bytes, the largest sizes that a JVM uses.
+ * it is dropped. While an array is replaced with a longer one, both are counted.
  *
  * @param budget most bytes at any time
  * @param bytes bytes in use from the start
@@ -126,7 +127,7 @@ internal class Suspensions(private val budget: Long, private var bytes: Long, pr
 
     private fun price(primitive: Primitive): Long {
         val held = if (cost == PrimitiveCost.HELD) primitive.heldBytes else 0
-        return RECORD_BYTES + intArrayBytes(2 * FIRST_RUNS) + held
+        return HeapLayout.RECORD + intArrayBytes(2 * FIRST_RUNS) + held
     }
 
     private fun vertices(primitive: Primitive): Vertices? =
@@ -156,20 +157,12 @@ internal class Suspensions(private val budget: Long, private var bytes: Long, pr
         const val FIRST_RUNS = 4
         const val FIRST_SLOTS = 16
 
-        /** A [Record] without its runs: a header, three references, a long and four ints, rounded up. */
-        const val RECORD_BYTES = 72L
-
-        fun intArrayBytes(size: Int): Long = 16L + Int.SIZE_BYTES * size
+        fun intArrayBytes(size: Int): Long = HeapLayout.HEADER + Int.SIZE_BYTES * size
 
         /** Two arrays, one of references and one of ints. */
-        fun tableBytes(size: Int): Long = 32L + 12L * size
+        fun tableBytes(size: Int): Long = intArrayBytes(size) + HeapLayout.HEADER + HeapLayout.REFERENCE * size
 
-        /**
-         * Bytes of vertices and of their hash map entry: an entry of 48 bytes, a counter of 24, and 208 for the map and
-         * its first table. The 208 bytes exceed an entry's share of later tables, including the time when old and new
-         * table coexist.
-         */
-        fun sharedBytes(vertices: Vertices): Long = 32L + 8L * vertices.data.size + 48L + 24L + 208L
+        fun sharedBytes(vertices: Vertices): Long = HeapLayout.SHARED_VERTICES + vertices.data.bytes
     }
 }
 

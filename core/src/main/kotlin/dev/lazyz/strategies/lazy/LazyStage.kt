@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.lazy
 
 import dev.lazyz.Frame
+import dev.lazyz.HeapLayout
 import dev.lazyz.Spans
 import dev.lazyz.pipeline.Row
 import dev.lazyz.pipeline.Stage
@@ -19,7 +20,7 @@ internal class LazyStage(frame: Frame, index: Int, y: Int, spans: Spans) : Stage
     private val upstream = Upstream()
     private val downstream = rows(y, upstream).iterator()
 
-    override val bytes: Long get() = super.bytes + BYTES
+    override val bytes: Long get() = super.bytes + HeapLayout.COROUTINE
 
     override fun next(upstream: Row): Row {
         this.upstream.row = upstream
@@ -37,9 +38,5 @@ internal class LazyStage(frame: Frame, index: Int, y: Int, spans: Spans) : Stage
         override fun hasNext(): Boolean = row != null
 
         override fun next(): Row = row!!.also { row = null }
-    }
-
-    private companion object {
-        const val BYTES = 136L
     }
 }

@@ -4,6 +4,7 @@ import dev.lazyz.Checkpoint
 import dev.lazyz.Frame
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.byFirstRow
 
@@ -23,7 +24,7 @@ internal class ActiveList(private val frame: Frame) {
     private var count = 0
 
     /** Bytes held; the arrays never shrink. */
-    val peakBytes: Long get() = 8L * arrivals.size + (Int.SIZE_BYTES + REFERENCE_BYTES) * indices.size
+    val peakBytes: Long get() = arrivals.bytes + indices.bytes + cursors.bytes
 
     /** Adds the spans of row [y], which follows the row of the last call, to [fragments]. */
     fun moveTo(y: Int, fragments: RowFragments) {
@@ -63,6 +64,5 @@ internal class ActiveList(private val frame: Frame) {
 
     private companion object {
         const val INITIAL = 16
-        const val REFERENCE_BYTES = 8L
     }
 }

@@ -9,6 +9,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
 import dev.lazyz.Srgb
+import dev.lazyz.bytes
 import dev.lazyz.raster.sortKeys
 import dev.lazyz.shading.LateShading
 
@@ -121,7 +122,7 @@ internal class RowOutput(frame: Frame) {
     private val indices = IntArray(frame.width)
 
     /** Bytes held. */
-    val bytes: Long get() = 4L * (argb.size + depths.size + indices.size)
+    val bytes: Long get() = argb.bytes + depths.bytes + indices.bytes
 
     fun clear() {
         argb.fill(background)

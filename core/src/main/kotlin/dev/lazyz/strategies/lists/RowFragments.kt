@@ -3,6 +3,7 @@ package dev.lazyz.strategies.lists
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 
 /**
@@ -34,8 +35,7 @@ internal class RowFragments(private val frame: Frame, private val counters: Coun
         private set
 
     /** Bytes held; the arrays never shrink. */
-    val peakBytes: Long
-        get() = 4L * (spans.size + changes.size + starts.size + ends.size) + 8L * keys.size
+    val peakBytes: Long get() = spans.bytes + changes.bytes + starts.bytes + ends.bytes + keys.bytes
 
     /** Index within [keys] of the first fragment of a column of the piece. */
     fun start(column: Int): Int = starts[column]

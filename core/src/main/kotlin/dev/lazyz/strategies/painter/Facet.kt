@@ -1,8 +1,10 @@
 package dev.lazyz.strategies.painter
 
+import dev.lazyz.HeapLayout
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Region
+import dev.lazyz.bytes
 
 /**
  * What Newell's tests need to know about a primitive: the corners of its outline, and its depth plane.
@@ -22,7 +24,7 @@ internal class Facet private constructor(
     val valueCount: Int get() = values.size
 
     /** Bytes held. */
-    val bytes: Long get() = FIELD_BYTES + 8L * outline.count + 8L * values.size
+    val bytes: Long get() = HeapLayout.FACET + 8L * outline.count + values.bytes
 
     /** Whether both lie in exactly the same plane. */
     fun isSamePlane(other: Facet): Boolean = form == other.form
@@ -67,7 +69,6 @@ internal class Facet private constructor(
 
         /** 2^63: rounding errors are far smaller, and a wrapped value is off by twice as much. */
         private const val HALF_WRAP = 9223372036854775808.0
-        private const val FIELD_BYTES = 136L
 
         /** Examines the samples of [primitive] in [region]. Cost: see [Outline.of]. */
         fun of(primitive: Primitive, region: Region): Facet {

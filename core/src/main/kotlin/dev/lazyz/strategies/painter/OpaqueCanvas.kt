@@ -3,6 +3,7 @@ package dev.lazyz.strategies.painter
 import dev.lazyz.Counters
 import dev.lazyz.Fragment
 import dev.lazyz.Frame
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 
 /** A canvas for opaque primitives: colour and primitive of each sample. What is painted is shaded immediately. */
@@ -14,7 +15,7 @@ internal class OpaqueCanvas(frame: Frame, counters: Counters.Builder) : Canvas(f
         argb.fill(frame.raster.background.toArgb())
     }
 
-    override val bytes: Long get() = BYTES_PER_SAMPLE * region.size + Int.SIZE_BYTES * 3L * width
+    override val bytes: Long get() = argb.bytes + indices.bytes + Int.SIZE_BYTES * 3L * width
 
     override fun paint(index: Int, y: Int, start: Int, end: Int, brush: Brush) {
         var at = at(start, y)
@@ -37,9 +38,5 @@ internal class OpaqueCanvas(frame: Frame, counters: Counters.Builder) : Canvas(f
     override fun finishRow(y: Int, start: Int, colors: IntArray, visible: IntArray) {
         argb.copyInto(colors, 0, start, start + width)
         indices.copyInto(visible, 0, start, start + width)
-    }
-
-    private companion object {
-        const val BYTES_PER_SAMPLE = 8L
     }
 }

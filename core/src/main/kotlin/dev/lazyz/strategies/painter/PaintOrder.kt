@@ -2,6 +2,7 @@ package dev.lazyz.strategies.painter
 
 import dev.lazyz.Checkpoint
 import dev.lazyz.Frame
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.forEachPrimitive
 import dev.lazyz.raster.reaches
@@ -37,7 +38,7 @@ internal class PaintOrder(private val frame: Frame, private val pairs: PairOrder
     private var height = 0
 
     /** Bytes held. */
-    val bytes: Long get() = 8L * byDepth.size + 4L * stack.size + tree.bytes
+    val bytes: Long get() = byDepth.bytes + stack.bytes + tree.bytes
 
     /** Number of nodes of the tree examined so far. */
     val looks: Long get() = tree.looks

@@ -3,6 +3,7 @@ package dev.lazyz.strategies.painter
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
+import dev.lazyz.bytes
 import dev.lazyz.raster.VisibilityOrder
 
 /**
@@ -30,7 +31,7 @@ internal class PairOrder(private val frame: Frame, private val counters: Counter
     private val direction = order.lead(0, 1).toDouble()
 
     /** Bytes currently held. */
-    var bytes: Long = REFERENCE_BYTES * frame.primitives.size
+    var bytes: Long = facets.bytes
         private set
 
     /** Returns a lower bound of the keys of the primitive [index], or of the background. */
@@ -89,9 +90,5 @@ internal class PairOrder(private val frame: Frame, private val counters: Counter
         counters.depthEvaluations += facet.valueCount
         bytes += facet.bytes
         return facet
-    }
-
-    private companion object {
-        const val REFERENCE_BYTES = 8L
     }
 }

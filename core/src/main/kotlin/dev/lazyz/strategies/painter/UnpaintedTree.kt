@@ -2,6 +2,7 @@ package dev.lazyz.strategies.painter
 
 import dev.lazyz.Checkpoint
 import dev.lazyz.Frame
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.sortKeys
 import java.util.function.IntConsumer
@@ -35,7 +36,7 @@ internal class UnpaintedTree(indices: IntArray, private val frame: Frame, privat
         private set
 
     /** Bytes held. */
-    val bytes: Long get() = 4L * (primitives.size + leafOf.size + boxes.size) + 8L * farthest.size
+    val bytes: Long get() = primitives.bytes + leafOf.bytes + boxes.bytes + farthest.bytes
 
     init {
         // Sort the leaves along the curve

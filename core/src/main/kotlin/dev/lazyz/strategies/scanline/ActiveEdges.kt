@@ -3,8 +3,10 @@ package dev.lazyz.strategies.scanline
 import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Frame
+import dev.lazyz.HeapLayout
 import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.byFirstRow
 import dev.lazyz.raster.sortKeys
@@ -71,9 +73,8 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
      * Bytes currently held. A cursor belongs to its primitive; its size is estimated as that of a triangle's cursor.
      */
     val bytes: Long
-        get() = 8L * (waiting.size + edges.size + actives.size) +
-            4L * (starts.size + ends.size + primitives.size + free.size) +
-            ACTIVE_BYTES * activeCount
+        get() = waiting.bytes + edges.bytes + actives.bytes + starts.bytes + ends.bytes + primitives.bytes +
+            free.bytes + HeapLayout.ACTIVE_PRIMITIVE * activeCount
 
     /** Column of edge [i]. */
     fun column(i: Int): Int = (edges[i] shr 32).toInt()
@@ -197,8 +198,5 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
          * sort.
          */
         private const val MOVES_PER_EDGE = 8L
-
-        /** An active primitive with its array of spans, and the cursor of a triangle: six arrays of three numbers. */
-        private const val ACTIVE_BYTES = 320L
     }
 }

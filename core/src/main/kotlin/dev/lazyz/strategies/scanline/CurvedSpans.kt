@@ -2,6 +2,7 @@ package dev.lazyz.strategies.scanline
 
 import dev.lazyz.Counters
 import dev.lazyz.Frame
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.VisibilityOrder
 
@@ -31,7 +32,7 @@ internal class CurvedSpans(
     val isEmpty: Boolean get() = count == 0
 
     /** Bytes currently held. */
-    val bytes: Long get() = 12L * nearest.size
+    val bytes: Long get() = nearest.bytes + indices.bytes
 
     /** Adds [span] at the current column. */
     fun join(span: Int) {

@@ -6,7 +6,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Spans
-import dev.lazyz.raster.TrapezoidCursor
+import dev.lazyz.raster.bytes
 import dev.lazyz.setup.planar.PlanarPrimitive
 import dev.lazyz.strategies.tiled.binning.Band
 import dev.lazyz.strategies.tiled.binning.BandSpans
@@ -94,7 +94,7 @@ internal class TileRenderer(
         val rowStart = maxOf(primitive.rowStart, keys.rowStart)
         val rowEnd = minOf(primitive.rowEnd, keys.rowEnd)
         val cursor = primitive.cursor(rowStart)
-        cursorBytes = maxOf(cursorBytes, if (cursor is TrapezoidCursor) cursor.bytes else CURSOR_BYTES)
+        cursorBytes = maxOf(cursorBytes, cursor.bytes)
         keys.choose(primitive, index)
         for (y in rowStart until rowEnd) {
             checkpoint.pass()
@@ -128,9 +128,4 @@ internal class TileRenderer(
     }
 
     private fun isTranslucent(primitive: Primitive): Boolean = hasTranslucency && primitive.isTranslucent
-
-    private companion object {
-        /** A cursor that evaluates each row independently; the size of a custom cursor is not known. */
-        const val CURSOR_BYTES = 24L
-    }
 }

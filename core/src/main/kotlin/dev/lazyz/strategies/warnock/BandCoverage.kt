@@ -1,8 +1,10 @@
 package dev.lazyz.strategies.warnock
 
+import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.Spans
+import dev.lazyz.bytes
 import dev.lazyz.raster.VisibilityOrder
 
 /**
@@ -40,7 +42,7 @@ internal class BandCoverage(val primitive: Primitive, val index: Int, order: Vis
         private set
 
     /** Bytes held. The cursor belongs to the primitive; its size is estimated as that of a triangle's cursor. */
-    val bytes: Long get() = OBJECT_BYTES + Int.SIZE_BYTES * (columns.size + offsets.size)
+    val bytes: Long get() = HeapLayout.BAND_COVERAGE + columns.bytes + offsets.bytes
 
     /** Records the rows of [band], which follows the last band. [spans] is scratch space for one row. */
     fun moveTo(band: Region, spans: Spans) {
@@ -132,10 +134,5 @@ internal class BandCoverage(val primitive: Primitive, val index: Int, order: Vis
             }
         }
         return count
-    }
-
-    private companion object {
-        /** This object and the arrays' headers, the box, and a triangle's cursor with its six arrays. */
-        const val OBJECT_BYTES = 420L
     }
 }

@@ -5,6 +5,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.Spans
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.VisibilityOrder
 import dev.lazyz.raster.byFirstRow
@@ -54,7 +55,7 @@ internal class BandCoverages(private val frame: Frame, private val counters: Cou
         count = kept
 
         // Record what is covered, and sort from near to far
-        bytes = Long.SIZE_BYTES * (waiting.size + 2L * active.size) + spans.bytes
+        bytes = waiting.bytes + 2 * active.bytes + spans.bytes
         for (i in 0 until count) {
             endIfInterrupted()
             val coverage = get(i)

@@ -5,6 +5,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.LinearForm
 import dev.lazyz.Region
+import dev.lazyz.bytes
 import dev.lazyz.raster.VisibilityOrder
 
 /**
@@ -21,7 +22,7 @@ internal class BandPainting(frame: Frame, bandHeight: Int, private val counters:
     val keys: LongArray = LongArray(region.width * bandHeight)
 
     /** Bytes held. */
-    val bytes: Long get() = Long.SIZE_BYTES * keys.size.toLong()
+    val bytes: Long get() = keys.bytes
 
     /** Moves to [band]. */
     fun begin(band: Region) {

@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Region
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.AreaBounds
 import dev.lazyz.raster.VisibilityOrder
@@ -35,7 +36,7 @@ internal class Subdivision(frame: Frame, bandHeight: Int, private val counters: 
     val keys: LongArray get() = painting.keys
 
     /** Bytes currently held. */
-    val bytes: Long get() = painting.bytes + Int.SIZE_BYTES * (candidates.size + samples.size)
+    val bytes: Long get() = painting.bytes + candidates.bytes + samples.bytes
 
     /** Fills [keys] for [band]. */
     fun decide(band: Region, coverages: BandCoverages) {

@@ -1,5 +1,6 @@
 package dev.lazyz.world.surface
 
+import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.PointBlocks
@@ -38,13 +39,13 @@ public class Lines @JvmOverloads constructor(
     public val positions: FloatArray,
     public val segments: IntArray,
     public val width: Double = 1.0,
-    public val material: Material = Material(),
+    override val material: Material = Material(),
     public val colors: FloatArray? = null,
     origin: Vector3dc = Vectors.ZERO,
     override val name: String = "",
 ) : Surface {
     /** The origin of [positions], world space: it is added to each of them. */
-    public val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
+    override val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
 
     /** Number of vertices. */
     public val vertexCount: Int = positions.size / 3
@@ -67,6 +68,10 @@ public class Lines @JvmOverloads constructor(
         }
     }
 
+    override val pixelSize: Double get() = width
+
+    override val setUpBytes: Long get() = HeapLayout.SHAPE * segmentCount
+
     private val blocks by lazy { PointBlocks(positions, segments) }
 
     /** A box around the vertices that segments use, or null if there is none. */
@@ -81,6 +86,10 @@ public class Lines @JvmOverloads constructor(
 
     override fun withUpAxis(up: UpAxis): Lines =
         Lines(up.toWorld(positions), segments, width, material, colors, up.toWorld(origin), name)
+
+    override fun hasUvs(set: Int): Boolean = false
+
+    override fun withoutColors(): Lines = Lines(positions, segments, width, material, null, origin, name)
 
     override fun withName(name: String): Lines = Lines(positions, segments, width, material, colors, origin, name)
 

@@ -1,11 +1,13 @@
 package dev.lazyz.world.surface
 
+import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.PointBlocks
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.geometry.VertexTransforms
+import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.Texture
@@ -41,7 +43,7 @@ import org.joml.Vector3dc
 public class Mesh @JvmOverloads constructor(
     public val positions: FloatArray,
     public val triangles: IntArray,
-    public val material: Material = Material(),
+    override val material: Material = Material(),
     public val normals: FloatArray? = null,
     public val uvs: FloatArray? = null,
     public val colors: FloatArray? = null,
@@ -51,7 +53,7 @@ public class Mesh @JvmOverloads constructor(
     override val name: String = "",
 ) : Surface {
     /** The origin of [positions], world space: it is added to each of them. */
-    public val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
+    override val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
 
     /** Number of vertices. */
     public val vertexCount: Int = positions.size / 3
@@ -83,6 +85,10 @@ public class Mesh @JvmOverloads constructor(
         }
     }
 
+    override val setUpBytes: Long
+        get() = HeapLayout.VERTEX * vertexCount +
+            if (material.alphaMode == AlphaMode.OPAQUE) 0 else HeapLayout.TRIANGLE * triangleCount
+
     private val blocks by lazy { PointBlocks(positions, triangles) }
 
     /** A box around the vertices that triangles use, or null if there is none. */
@@ -104,6 +110,11 @@ public class Mesh @JvmOverloads constructor(
         tangents?.let { up.toWorld(it, 4) },
         name,
     )
+
+    override fun hasUvs(set: Int): Boolean = (if (set == 0) uvs else uvs2) != null
+
+    override fun withoutColors(): Mesh =
+        Mesh(positions, triangles, material, normals, uvs, null, origin, uvs2, tangents, name)
 
     override fun withName(name: String): Mesh =
         Mesh(positions, triangles, material, normals, uvs, colors, origin, uvs2, tangents, name)

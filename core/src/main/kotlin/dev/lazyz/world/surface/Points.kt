@@ -1,5 +1,6 @@
 package dev.lazyz.world.surface
 
+import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.PointBlocks
@@ -40,14 +41,14 @@ import org.joml.Vector3dc
 public class Points @JvmOverloads constructor(
     public val positions: FloatArray,
     public val size: Double = 1.0,
-    public val material: Material = Material(),
+    override val material: Material = Material(),
     public val normals: FloatArray? = null,
     public val colors: FloatArray? = null,
     origin: Vector3dc = Vectors.ZERO,
     override val name: String = "",
 ) : Surface {
     /** The origin of [positions], world space: it is added to each of them. */
-    public val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
+    override val origin: Vector3dc = if (origin === Vectors.ZERO) origin else Vector3d(origin)
 
     /** Number of points. */
     public val pointCount: Int = positions.size / 3
@@ -64,6 +65,10 @@ public class Points @JvmOverloads constructor(
         }
     }
 
+    override val pixelSize: Double get() = size
+
+    override val setUpBytes: Long get() = HeapLayout.SHAPE * pointCount
+
     private val blocks by lazy { PointBlocks(positions) }
 
     override val bounds: Box? by lazy { blocks.bounds?.moved(this.origin) }
@@ -77,6 +82,10 @@ public class Points @JvmOverloads constructor(
 
     override fun withUpAxis(up: UpAxis): Points =
         Points(up.toWorld(positions), size, material, normals?.let(up::toWorld), colors, up.toWorld(origin), name)
+
+    override fun hasUvs(set: Int): Boolean = false
+
+    override fun withoutColors(): Points = Points(positions, size, material, normals, null, origin, name)
 
     override fun withName(name: String): Points = Points(positions, size, material, normals, colors, origin, name)
 

@@ -1,6 +1,7 @@
 package dev.lazyz.world.surface
 
 import dev.lazyz.FillRule
+import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.Box
@@ -27,10 +28,12 @@ import org.joml.Vector3dc
  */
 public class Polygon @JvmOverloads constructor(
     public val contours: List<List<Vertex>>,
-    public val material: Material = Material(),
+    override val material: Material = Material(),
     public val fillRule: FillRule = FillRule.EVEN_ODD,
     override val name: String = "",
 ) : Surface {
+    override val setUpBytes: Long get() = HeapLayout.SHAPE + HeapLayout.CORNER * contours.sumOf { it.size }
+
     override val bounds: Box? by lazy {
         val all = contours.flatten()
         Box.around(all.size) { vertex, axis -> all[vertex].position(axis) }
@@ -58,6 +61,11 @@ public class Polygon @JvmOverloads constructor(
 
     override fun withUpAxis(up: UpAxis): Polygon =
         Polygon(contours.map { contour -> contour.map { it.withUpAxis(up) } }, material, fillRule, name)
+
+    override fun withoutColors(): Polygon {
+        val plain = contours.map { contour -> contour.map { Vertex(it.x, it.y, it.z, it.u, it.v) } }
+        return Polygon(plain, material, fillRule, name)
+    }
 
     override fun withName(name: String): Polygon = Polygon(contours, material, fillRule, name)
 

@@ -142,3 +142,31 @@ public class SetUp internal constructor(
 
     override fun toString(): String = "SetUp($raster, $camera, ${lights.size} lights)"
 }
+
+/**
+ * A ray through a sample, in world space. Immutable.
+ *
+ * @property origin where it starts: the camera's eye for perspective, otherwise a point in the plane of the eye
+ * @property direction its direction, of such a length that its component along the line of sight is 1
+ */
+public class Ray internal constructor(public val origin: Vector3dc, public val direction: Vector3dc) {
+    /** Returns the point at [distance] from the camera along the line of sight, world units. A new vector. */
+    public fun at(distance: Double): Vector3d = Vector3d(
+        origin.x() + direction.x() * distance,
+        origin.y() + direction.y() * distance,
+        origin.z() + direction.z() * distance,
+    )
+
+    override fun toString(): String = "Ray($origin, $direction)"
+}
+
+/**
+ * A point on the raster. Immutable.
+ *
+ * @property x column position, pixels, a multiple of 1/256; the sample of column 0 is at 0.5
+ * @property y row position, pixels, a multiple of 1/256; the sample of row 0 is at 0.5
+ * @property depth depth, 0..2^31-1
+ */
+public class ScreenPoint internal constructor(public val x: Double, public val y: Double, public val depth: Int) {
+    override fun toString(): String = "ScreenPoint($x, $y, depth $depth)"
+}

@@ -24,7 +24,7 @@ import org.joml.Vector3dc
  */
 public class StreamedMesh private constructor(
     public val source: MeshSource,
-    public val material: Material,
+    override val material: Material,
     private val up: UpAxis,
     private val isPlain: Boolean,
     override val name: String,
@@ -38,12 +38,15 @@ public class StreamedMesh private constructor(
     public val triangleCount: Int get() = source.triangleCount
 
     /** The origin of all positions, world space, see [Mesh.origin]. */
-    public val origin: Vector3dc = up.toWorld(source.origin)
+    override val origin: Vector3dc = up.toWorld(source.origin)
 
     /** Whether vertices have colours. */
     public val hasColors: Boolean get() = source.hasColors && !isPlain
 
     internal val isTranslucent: Boolean get() = material.alphaMode == AlphaMode.BLEND
+
+    /** None: parts are set up while they are drawn. */
+    override val setUpBytes: Long get() = 0
 
     private val parts by lazy { FarthestPart(source) }
 
@@ -105,8 +108,7 @@ public class StreamedMesh private constructor(
 
     override fun withName(name: String): StreamedMesh = StreamedMesh(source, material, up, isPlain, name)
 
-    /** Returns this mesh without the colours of vertices. */
-    public fun withoutColors(): StreamedMesh = StreamedMesh(source, material, up, isPlain = true, name)
+    override fun withoutColors(): StreamedMesh = StreamedMesh(source, material, up, isPlain = true, name)
 
     /**
      * Returns this mesh rotated so that the axis [up] becomes y.
@@ -126,4 +128,41 @@ public class StreamedMesh private constructor(
         const val GROUP = 1 shl 17
         const val TRANSLUCENT_GROUP = 1 shl 13
     }
+}
+
+/**
+ * Triangles that are read part by part each time they are needed, for models that are larger than memory. Shown by a
+ * [StreamedMesh].
+ *
+ * A part should have some 1,000 triangles that are close to each other. For a fitted camera, single parts are read; for
+ * a rendering, as many at a time as have some 100,000 triangles. Implementations must return the same triangles each
+ * time, and be thread safe. An exception ends the rendering and is rethrown unchanged.
+ */
+public interface MeshSource {
+    /** Number of triangles of all parts. */
+    public val triangleCount: Int
+
+    /** Whether parts have colours of vertices. */
+    public val hasColors: Boolean
+
+    /** Number of parts. */
+    public val partCount: Int
+
+    /** The origin of the positions of all parts, see [Mesh.origin]. */
+    public val origin: Vector3dc
+
+    /** Returns the number of triangles of part [number], without reading it. */
+    public fun triangleCount(number: Int): Int
+
+    /**
+     * Returns the smallest box around the vertices that the triangles of part [number] use, relative to [origin], or
+     * null if there are none. A fitted camera and each rendering call it for all parts, so it should not read the part.
+     */
+    public fun bounds(number: Int): Box?
+
+    /**
+     * Reads [count] parts from number [first] on, and returns their triangles in order as one mesh. The triangles of
+     * all parts are those of the whole mesh. The material of the result is not used, and its origin must be [origin].
+     */
+    public fun read(first: Int, count: Int): Mesh
 }

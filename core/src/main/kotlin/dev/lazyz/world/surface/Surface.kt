@@ -1,8 +1,10 @@
 package dev.lazyz.world.surface
 
+import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
+import dev.lazyz.geometry.Vectors
 import dev.lazyz.world.material.Material
 import java.util.function.UnaryOperator
 import org.joml.Vector3d
@@ -12,7 +14,8 @@ import org.joml.Vector3dc
  * A visible object in world space: a [Mesh], a [Polygon], a [Sphere], [Points], [Lines], or a custom surface.
  *
  * A custom surface converts its shape to primitives with the functions of [SetUp], or returns custom [Primitive]s. In
- * Java, [primitives] can return `list::iterator` for a list of them.
+ * Java, [primitives] can return `list::iterator` for a list of them. What a scene, anti-aliasing and plans of memory
+ * need to know of a surface, they ask it: [material], [origin], [pixelSize], [setUpBytes].
  * Implementations must be immutable and thread safe.
  */
 public interface Surface {
@@ -22,6 +25,24 @@ public interface Surface {
      * name. Functions that return a changed surface keep it.
      */
     public val name: String get() = ""
+
+    /** The appearance; null if the surface has no [Material], or several. */
+    public val material: Material? get() = null
+
+    /**
+     * The origin of the positions, world space: (0, 0, 0), unless the surface is so far from the world's origin that
+     * single precision is too coarse. It can become the origin of shading, see `Scene.origin`.
+     */
+    public val origin: Vector3dc get() = Vectors.ZERO
+
+    /**
+     * The largest size that is given in samples of the raster and not in the world, as that of points, or the width of
+     * lines; 0 if there is none. What has such a size casts no shadow.
+     */
+    public val pixelSize: Double get() = 0.0
+
+    /** About how many bytes [primitives] take; by default those of a single primitive. */
+    public val setUpBytes: Long get() = HeapLayout.SHAPE
 
     /** A box around the surface, or null if it is empty. */
     public val bounds: Box?
@@ -58,6 +79,12 @@ public interface Surface {
      * materials.
      */
     public fun withMaterials(change: UnaryOperator<Material>): Surface = this
+
+    /** Whether there are texture coordinates of the [set] 0 or 1: whether maps of a material have an effect. */
+    public fun hasUvs(set: Int): Boolean = true
+
+    /** Returns this surface without the colours of vertices; this surface itself if it has none. */
+    public fun withoutColors(): Surface = this
 
     /**
      * Returns this surface with another [name]; a custom surface that does not override this function keeps its own.

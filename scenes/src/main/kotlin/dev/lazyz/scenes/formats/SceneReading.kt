@@ -10,7 +10,6 @@ import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.scenes.gltf.GltfParser
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Loading
-import dev.lazyz.scenes.loading.LoadingMemory
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.obj.ObjParser
 import dev.lazyz.scenes.off.OffParser
@@ -190,7 +189,7 @@ internal object SceneReading {
      * heap.
      */
     private fun mostBytes(format: SceneFormat?, limits: LoadLimits): Long =
-        minOf(Int.MAX_VALUE - 16L, limits.usableMemory / LoadingMemory.perByte(format))
+        minOf(Int.MAX_VALUE - 16L, limits.usableMemory / SceneFormat.memoryPerByte(format))
 
     private fun tooLarge(name: String, size: Long, format: SceneFormat?, limits: LoadLimits): SceneMemoryException {
         val problem = "is too large: $size bytes, at most ${mostBytes(format, limits)} fit"

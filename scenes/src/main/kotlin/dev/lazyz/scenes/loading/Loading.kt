@@ -126,7 +126,7 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
      */
     fun smoothed(source: Source, mesh: Mesh, creaseAngle: Double): Mesh {
         if (mesh.normals != null || !options.smoothNormals) return mesh
-        val need = LoadingMemory.normals(mesh.triangleCount.toLong(), mesh.vertexCount.toLong())
+        val need = NORMALS_OF_TRIANGLE * mesh.triangleCount + NORMALS_OF_VERTEX * mesh.vertexCount
         val most = limits.usableMemory
         if (need > most) {
             val problem = "has too many triangles for the memory: their normals need $need bytes, Java may use $most"
@@ -162,6 +162,10 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
 
         /** Remedy for JSON that is nested too deeply. */
         const val NESTING_REMEDY: String = "if it can be trusted, raise LoadLimits.nesting (zcli: --max-nesting)"
+
+        /** Bytes for computing smooth normals, including the mesh; measured. */
+        private const val NORMALS_OF_TRIANGLE = 36L
+        private const val NORMALS_OF_VERTEX = 50L
 
         /** What else may be needed where a limit is on what is kept in memory. */
         private const val MORE_MEMORY = ", and -Xmx if need be"

@@ -133,7 +133,7 @@ internal class SceneFileWriter(private val out: Appendable) {
                 "a scene file holds no visibility of ambient light: write scene.withAmbientVisibility(null) instead"
             }
             scene.surfaces.forEachIndexed { index, surface ->
-                val material = requireNotNull(materialOrNull(surface)) {
+                val material = requireNotNull(surface.material.takeIf { isKnown(surface) }) {
                     "a scene file holds meshes, polygons, spheres, points and lines only: surfaces[$index] is $surface"
                 }
                 val shader = material.shader
@@ -143,17 +143,11 @@ internal class SceneFileWriter(private val out: Appendable) {
             }
         }
 
-        private fun materialOf(surface: Surface): Material = checkNotNull(materialOrNull(surface)) {
+        private fun materialOf(surface: Surface): Material = checkNotNull(surface.material) {
             "not checked: $surface"
         }
 
-        private fun materialOrNull(surface: Surface): Material? = when (surface) {
-            is Mesh -> surface.material
-            is Polygon -> surface.material
-            is Sphere -> surface.material
-            is Points -> surface.material
-            is Lines -> surface.material
-            else -> null
-        }
+        private fun isKnown(surface: Surface): Boolean =
+            surface is Mesh || surface is Polygon || surface is Sphere || surface is Points || surface is Lines
     }
 }

@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.tiled.binning
 
 import dev.lazyz.Frame
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.reaches
 import dev.lazyz.strategies.tiled.raster.TileGrid
@@ -45,10 +46,7 @@ internal class Arrivals(frame: Frame, private val grid: TileGrid) {
 
     /** Peak number of bytes held: while sorting, or later in [waiting], [present] and [spare]. */
     val bytes: Long
-        get() = Int.SIZE_BYTES * (
-            waiting.size.toLong() +
-                maxOf(2L * singles.size + waiting.size, present.size.toLong() + spare.size)
-            )
+        get() = waiting.bytes + maxOf(2L * Int.SIZE_BYTES * singles.size + waiting.bytes, present.bytes + spare.bytes)
 
     /** Moves to [band]; must be called for each band, in order. */
     fun moveTo(band: Int) {

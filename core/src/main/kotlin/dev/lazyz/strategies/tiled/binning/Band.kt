@@ -4,6 +4,7 @@ import dev.lazyz.Checkpoint
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RowSink
+import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.VisibilityOrder
 import dev.lazyz.setup.planar.PlanarPrimitive
@@ -72,9 +73,8 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
     /** Peak number of bytes held. */
     val bytes: Long
         get() = 3L * Int.SIZE_BYTES * grid.tileHeight * region.width +
-            Int.SIZE_BYTES * (singles.size + firstColumns.size + lastColumns.size + ends.size).toLong() +
-            Int.SIZE_BYTES * (entries.size + wide.size).toLong() + Long.SIZE_BYTES * nearest.size +
-            REFERENCE_BYTES * spans.size + maxOf(peakSpanBytes, spanBytes.get())
+            singles.bytes + firstColumns.bytes + lastColumns.bytes + ends.bytes + entries.bytes + wide.bytes +
+            nearest.bytes + spans.bytes + maxOf(peakSpanBytes, spanBytes.get())
 
     /** The number of a member among the frame's single primitives. */
     fun single(member: Int): Int = singles[member]
@@ -209,9 +209,6 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
          * at most this many entries a member, even with small tiles.
          */
         private const val WIDE = 8
-
-        /** Size in a Java heap beyond 32 gigabytes; half of this below. */
-        private const val REFERENCE_BYTES = 8L
     }
 }
 

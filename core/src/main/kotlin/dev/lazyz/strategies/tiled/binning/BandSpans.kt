@@ -2,8 +2,10 @@ package dev.lazyz.strategies.tiled.binning
 
 import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
+import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.Spans
+import dev.lazyz.bytes
 import java.util.concurrent.atomic.AtomicLong
 
 /**
@@ -86,12 +88,7 @@ internal class BandSpans(
             }
             ends[row] = used
         }
-        bytes.addAndGet(BYTES + Int.SIZE_BYTES * (ends.size + bounds.size).toLong())
+        bytes.addAndGet(HeapLayout.BAND_SPANS + ends.bytes + bounds.bytes)
         return Rows(rowStart, ends, bounds)
-    }
-
-    private companion object {
-        /** Two objects of a header and four fields, and the headers of two arrays. */
-        const val BYTES = 96L
     }
 }

@@ -1,5 +1,7 @@
 package dev.lazyz.strategies.tiled.binning
 
+import dev.lazyz.bytes
+
 /** Keys that are sorted approximately from near to far. Belongs to one thread; reusable. */
 internal class NearToFar {
     /** The keys in order of arrival, and sorted. */
@@ -12,8 +14,7 @@ internal class NearToFar {
         private set
 
     /** Bytes held. */
-    val bytes: Long
-        get() = Long.SIZE_BYTES * (keys.size + sorted.size).toLong() + Int.SIZE_BYTES * ends.size
+    val bytes: Long get() = keys.bytes + sorted.bytes + ends.bytes
 
     /** Adds a key. */
     fun add(key: Long) {

@@ -4,6 +4,7 @@ import dev.lazyz.Checkpoint
 import dev.lazyz.DepthTest
 import dev.lazyz.FrameContent
 import dev.lazyz.Workers
+import dev.lazyz.bytes
 import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.strategies.tiled.raster.TileGrid
@@ -78,8 +79,7 @@ internal class TriangleBins(
             if (number < parts) wideParts[number].distribute(triangles)
             fillers[number].distribute(triangles, keys, places)
         }
-        bytes = found + triangleEnds.bytes + fragmentEnds.bytes + Int.SIZE_BYTES * places.size.toLong() +
-            Long.SIZE_BYTES * (triangles.size + keys.size.toLong())
+        bytes = found + triangleEnds.bytes + fragmentEnds.bytes + places.bytes + triangles.bytes + keys.bytes
     }
 
     /** Records that a band's triangles have been drawn. After the last band, returns all memory to the pool. */
@@ -148,4 +148,41 @@ internal class TriangleBins(
         /** Number of bands for which bins are made at a time; at least one. */
         fun bandsAtOnce(grid: TileGrid): Int = maxOf(1, minOf(MOST_TILES / grid.columns, grid.bands))
     }
+}
+
+/**
+ * The bounds of bins that are stored one after the other: the counts of a counting sort by tiles that several threads
+ * do in parallel, one chunk each.
+ *
+ * For each chunk and tile, an element is first the number of entries; after [sumUp], the position of the next entry;
+ * and finally the position after the last entry.
+ */
+internal class BinBounds(private val chunks: Int, private val tiles: Int) {
+    private val ends = IntArray(chunks * tiles)
+
+    /** Bytes held. */
+    val bytes: Long get() = ends.bytes
+
+    fun count(chunk: Int, tile: Int) {
+        ends[chunk * tiles + tile]++
+    }
+
+    /** Replaces counts with start positions, ordered by tile and within a tile by chunk. Returns the total. */
+    fun sumUp(): Int {
+        var sum = 0
+        for (tile in 0 until tiles) {
+            for (chunk in 0 until chunks) {
+                val count = ends[chunk * tiles + tile]
+                ends[chunk * tiles + tile] = sum
+                sum = Math.addExact(sum, count)
+            }
+        }
+        return sum
+    }
+
+    fun next(chunk: Int, tile: Int): Int = ends[chunk * tiles + tile]++
+
+    fun start(tile: Int): Int = if (tile == 0) 0 else end(tile - 1)
+
+    fun end(tile: Int): Int = ends[(chunks - 1) * tiles + tile]
 }

@@ -5,6 +5,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
+import dev.lazyz.bytes
 
 /**
  * The visibility keys of one tile, and bounds of them for each block. Belongs to one thread; reused for each tile.
@@ -65,7 +66,7 @@ internal class VisibilityBuffer(grid: TileGrid, raster: Raster, private val coun
     private var origin = 0L
 
     /** Bytes held. */
-    val bytes: Long get() = Long.SIZE_BYTES * (keys.size + farthestOfBlock.size).toLong()
+    val bytes: Long get() = keys.bytes + farthestOfBlock.bytes
 
     /** Begins a tile, filled with background. */
     fun begin(columnStart: Int, columnEnd: Int, rowStart: Int, rowEnd: Int) {

@@ -244,8 +244,5 @@ internal class Face : EdgeForms() {
     companion object {
         /** Bound of the sum: all integers up to eight times this, 2^53, are exact as doubles. */
         private const val EXACT = 1L shl 50
-
-        /** Bytes of a face: two objects, one with 22 fields, and the vertices' numbers. */
-        const val BYTES: Long = 2 * 16L + 22 * 8L + 16L + 3 * Vertices.LONG_STRIDE * 8L
     }
 }

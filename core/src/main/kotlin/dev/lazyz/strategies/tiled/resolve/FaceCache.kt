@@ -2,9 +2,11 @@ package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.Fragment
 import dev.lazyz.FrameContent
+import dev.lazyz.HeapLayout
 import dev.lazyz.setup.planar.FaceSetUp
 import dev.lazyz.setup.planar.PlanarPrimitive
 import dev.lazyz.setup.planar.triangleBatch
+import dev.lazyz.shading.Vertices
 
 /**
  * A cache of recently used flat primitives: a primitive is often used again on the next row. Belongs to one thread.
@@ -21,7 +23,7 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
     private val scratch = Fragment()
 
     /** Peak number of bytes held. */
-    val bytes: Long get() = faces.size * Face.BYTES
+    val bytes: Long get() = faces.size * (HeapLayout.FACE + 3 * Vertices.LONG_STRIDE * Double.SIZE_BYTES)
 
     /** Whether primitive [index] has a face. */
     fun isFlat(index: Int): Boolean = isUsed && (batch(index) >= 0 || content.single(index) is PlanarPrimitive)

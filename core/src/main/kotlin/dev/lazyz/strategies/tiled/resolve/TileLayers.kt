@@ -7,6 +7,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
+import dev.lazyz.bytes
 import dev.lazyz.raster.sortKeys
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
@@ -39,8 +40,7 @@ internal class TileLayers(
     val isEmpty: Boolean get() = count == 0
 
     /** Peak number of bytes held. */
-    val bytes: Long get() = Long.SIZE_BYTES * (keys.size + ordered.size) +
-        Int.SIZE_BYTES * (samples.size + ends.size).toLong()
+    val bytes: Long get() = keys.bytes + ordered.bytes + samples.bytes + ends.bytes
 
     /** Begins a tile. */
     fun begin() {

@@ -10,6 +10,7 @@ import dev.lazyz.FragmentBatch
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Shader
+import dev.lazyz.bytes
 import dev.lazyz.setup.planar.triangleBatch
 import dev.lazyz.shading.LateShading
 import dev.lazyz.strategies.tiled.binning.Band
@@ -71,7 +72,7 @@ internal class TileShading(
     /** Peak number of bytes held. */
     val bytes: Long
         get() = runs.bytes + waiting.bytes + waitingSmall.bytes + scattered.bytes + faces.bytes + single.peakBytes +
-            Int.SIZE_BYTES * (packed.size + smallTriangles.size.toLong())
+            packed.bytes + smallTriangles.bytes
 
     /**
      * Fills in colour, depth and primitive of the tile in [band].

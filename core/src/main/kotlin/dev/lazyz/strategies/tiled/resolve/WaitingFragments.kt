@@ -1,6 +1,7 @@
 package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.FragmentBatch
+import dev.lazyz.bytes
 
 /** Fragments of a tile that wait to be shaded, and their places in the tile. Belongs to one thread. */
 internal class WaitingFragments {
@@ -22,8 +23,7 @@ internal class WaitingFragments {
     val room: Int get() = FragmentBatch.CAPACITY - size
 
     /** Bytes held. */
-    val bytes: Long get() = batch.bytes + Int.SIZE_BYTES * places.size.toLong() +
-        Double.SIZE_BYTES * (columns.size + rows.size.toLong())
+    val bytes: Long get() = batch.bytes + places.bytes + columns.bytes + rows.bytes
 
     /** Adds [length] adjacent fragments from place [start] on. There must be [room] for them. */
     fun add(start: Int, length: Int) {

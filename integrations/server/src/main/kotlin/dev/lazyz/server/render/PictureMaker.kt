@@ -6,7 +6,6 @@ import dev.lazyz.filter.SampledFrame
 import dev.lazyz.planning.MemoryItem
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
-import dev.lazyz.planning.SetUpMemory
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
@@ -69,7 +68,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         val items = listOf(
             MemoryItem("file", body.size.toLong()),
             MemoryItem("model", decoded),
-            MemoryItem("set-up", SetUpMemory.bytes(loaded.scene)),
+            MemoryItem("set-up", loaded.scene.setUpBytes),
             MemoryItem("output", outputNeed(request)),
         )
         val setUp = items.sumOf { it.bytes }
