@@ -1,6 +1,5 @@
 package dev.lazyz.scenes.aov
 
-import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.Viridis
 import dev.lazyz.aov.Aov
@@ -109,14 +108,6 @@ class AovPictureTest {
         val wild = image(Aov.DEPTH, -1e30f, 1e30f, Float.NaN, 0f)
         assertEquals(grey, pixels(wild)[2])
         assertTrue(AovPicture.of(image(Aov.OVERDRAW, Int.MAX_VALUE, 0, 0, 0)).height > 20)
-    }
-
-    @Test
-    fun legendsGrowWithThePicture() {
-        fun legend(width: Int): Image =
-            AovPicture.of(AovImage(Aov.COVERAGE, Region(0, 0, width, 1), FloatArray(width), 0.0, 1.0))
-        assertEquals(2 * (legend(320).height - 1), legend(640).height - 1)
-        assertEquals(640, legend(640).width)
     }
 
     private companion object {

@@ -49,12 +49,6 @@ class BuiltinsTest {
 
     @ParameterizedTest
     @MethodSource("builtins")
-    fun isTheSameEveryTime(builtin: Builtin) {
-        assertEquals(SceneFile.format(builtin.scene()), SceneFile.format(builtin.scene()))
-    }
-
-    @ParameterizedTest
-    @MethodSource("builtins")
     fun rendersToTheSameBitsFromASceneFile(builtin: Builtin) {
         val scene = builtin.scene()
         val back = SceneFile.parse(SceneFile.format(scene)).scene
@@ -121,14 +115,6 @@ class BuiltinsTest {
         assertEquals(image.counters.fragments, image.counters.shadingCalls)
         assertEquals(7, Scenes.layers(7).surfaces.size)
         assertEquals(1, Scenes.layers(1).surfaces.size)
-    }
-
-    @Test
-    fun theCityIsMostlyHidden() {
-        val image = ZBuffer().render(Scenes.city().frame(160, 120))
-        val shown = image.primitive.toSet().size
-        assertTrue(image.counters.fragments > 5L * image.visible, "${image.counters}")
-        assertTrue(shown < image.counters.primitives / 4, "$shown of ${image.counters.primitives} primitives show")
     }
 
     @Test

@@ -131,16 +131,6 @@ class GltfParserTest {
     }
 
     @Test
-    fun nodesAreDrawnParentsFirstInTheirOrder() {
-        val json = file(
-            """"nodes":[{"mesh":0,"children":[2,1]},{"mesh":0,"translation":[2,0,0]},
-            {"mesh":0,"translation":[1,0,0],"children":[3]},{"mesh":0,"translation":[5,0,0]},
-            {"mesh":0,"translation":[9,0,0]}]""",
-        )
-        assertEquals(listOf(0f, 1f, 6f, 2f, 9f), parse(json).meshes.map { it.positions[0] })
-    }
-
-    @Test
     fun hiddenNodesAreNotShownNorTheirDescendants() {
         fun node(x: Int, visible: Boolean?, more: String = "") = """{"mesh":0,"translation":[$x,0,0]$more""" +
             (visible?.let { ""","extensions":{"KHR_node_visibility":{"visible":$it}}""" } ?: "") + "}"
@@ -232,13 +222,6 @@ class GltfParserTest {
         val source = TestSources.of(file(""""nodes":[{"mesh":0},{"camera":0}],"cameras":[$camera]"""))
         assertTrue(GltfParser.parse(source).viewpoint !is Camera)
         assertTrue("cameras[0]" in source.warnings.single(), source.warnings.toString())
-    }
-
-    @Test
-    fun nodeScaledToNothingIsNoTrouble() {
-        val mesh = mesh(file(""""nodes":[{"mesh":0,"scale":[0,0,0]}]"""))
-        assertEquals(1, mesh.triangleCount)
-        assertEquals(1, Scene(listOf(mesh)).frame(8, 8).primitives.size)
     }
 
     @Test

@@ -102,13 +102,6 @@ class TextureFilesTest {
         assertEquals(100.0, (texels(said)[0].substring(2, 4).toInt(16)).toDouble(), 4.0)
     }
 
-    @Test
-    fun greyJpegIsTheCodeThatTheFileStores() {
-        val grey = BufferedImage(8, 8, BufferedImage.TYPE_BYTE_GRAY)
-        for (i in 0 until 64) grey.raster.setSample(i % 8, i / 8, 0, 128)
-        assertEquals("FF808080", texels(jpeg(grey))[0])
-    }
-
     /** A JPEG of one pixel of four numbers, with Adobe's marker that says how they are transformed, or without one. */
     private fun fourNumbers(numbers: List<Int>, transform: Int?): ByteArray {
         val raster = Raster.createInterleavedRaster(DataBuffer.TYPE_BYTE, 8, 8, 4, null)
@@ -215,16 +208,6 @@ class TextureFilesTest {
         val small = Source(ByteArray(0), "test", null, Loading(LoadOptions(LoadLimits(texels = 5))))
         val error = assertThrows(SceneFormatException::class.java) { TextureFiles.decode(small, packed, "test") }
         assertTrue("LoadLimits.texels" in error.message.orEmpty(), error.message)
-    }
-
-    @Test
-    fun rowsRunFromTheTop() {
-        val image = BufferedImage(1, 2, BufferedImage.TYPE_INT_RGB)
-        image.setRGB(0, 0, 0x112233)
-        image.setRGB(0, 1, 0x445566)
-        val out = ByteArrayOutputStream()
-        ImageIO.write(image, "bmp", out)
-        assertEquals(listOf("FF112233", "FF445566"), texels(out.toByteArray()))
     }
 
     @Test

@@ -29,21 +29,6 @@ class TriangulationTest {
     }
 
     @Test
-    fun cornerInTheMiddleOfAnEdgeIsKept() {
-        // A neighbour ends at that corner; without it the two would not meet exactly
-        val square = polygon(0.0, 0.0, 0.5, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0)
-        assertEquals((0..4).toSet(), Triangulation.triangles(square)!!.toSet())
-    }
-
-    @Test
-    fun reflexCornerOfAQuadIsNotCutOff() {
-        // An arrowhead whose notch is corner 3: the cut must run from 1 to 3
-        val arrow = polygon(0.0, 0.0, 2.0, 1.0, 0.0, 2.0, 0.5, 1.0)
-        val triangles = Triangulation.triangles(arrow)!!
-        assertEquals(setOf(setOf(0, 1, 3), setOf(1, 2, 3)), triangles.toList().chunked(3).map { it.toSet() }.toSet())
-    }
-
-    @Test
     fun simplePolygonsAreCoveredOnceTheSameWayRound() {
         val random = Random(7)
         repeat(3000) { round ->
@@ -59,13 +44,6 @@ class TriangulationTest {
             assertTrue(parts.all { it > -1e-9 * length(whole) }, "round $round: $parts")
             assertEquals(length(whole), parts.sum(), 1e-9 * length(whole), "round $round")
         }
-    }
-
-    @Test
-    fun placeFarFromTheOriginChangesNothing() {
-        val near = polygon(0.0, 0.0, 2.0, 1.0, 0.0, 2.0, 0.5, 1.0)
-        val far = DoubleArray(near.size) { near[it] + 1e9 }
-        assertArrayEquals(Triangulation.triangles(near), Triangulation.triangles(far))
     }
 
     @Test

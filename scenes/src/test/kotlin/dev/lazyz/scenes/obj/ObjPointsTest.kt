@@ -60,12 +60,6 @@ class ObjPointsTest {
     }
 
     @Test
-    fun norWithAMaterialThatIsDefinedNowhere() {
-        val plain = (surfaces("p 1\n").single() as Points).material.baseColor
-        assertEquals(plain, (surfaces("usemtl nowhere\np 1\n").single() as Points).material.baseColor)
-    }
-
-    @Test
     fun wrongNumbersAreRefused() {
         fun message(text: String) = TestSources.error(ObjParser, TestSources.of(square + text)).message!!
         assertTrue("line 5" in message("p 5\n"))

@@ -12,7 +12,6 @@ import dev.lazyz.scenes.loading.corners
 import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
-import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull
@@ -35,18 +34,6 @@ class OffParserTest {
             val (r, g, b, a) = colors!!.slice(4 * vertex until 4 * vertex + 4)
             "%08X".format(Rgba(r, g, b, a).toArgb())
         }.distinct()
-    }
-
-    @Test
-    fun farFromTheOriginNoDetailIsLost() {
-        val corners = listOf(500123.001, 4649776.002, 3.125, 500124.001, 4649776.002, 3.0, 500124.001, 4649777.503, 3.0)
-        val lines = corners.chunked(3).joinToString("") { "${it.joinToString(" ")}\n" }
-        val mesh = mesh("OFF\n3 2 0\n${lines}3 0 1 2\n3 0 1 2 255 0 0\n")
-        assertEquals(500123.5, mesh.origin.x(), 0.1)
-        for ((i, number) in corners.withIndex()) {
-            assertEquals(number, mesh.positions[3 * mesh.triangles[i / 3] + i % 3] + mesh.origin.get(i % 3), 1e-6)
-        }
-        assertEquals(Vector3d(), mesh("OFF\n3 1 0\n10 0 0\n11 0 0\n11 1 0\n3 0 1 2\n").origin)
     }
 
     @Test

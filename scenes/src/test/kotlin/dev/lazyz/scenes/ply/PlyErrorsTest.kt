@@ -60,13 +60,6 @@ class PlyErrorsTest {
     }
 
     @Test
-    fun longListsAreReportedAsTheyAre() {
-        val long = ascii(body = body.replace("3 0 1 2", "4000000000 0 1 2"))
-        assertFails(long, "line 13", "announces 4000000000 numbers")
-        assertFails(ascii(body = body.replace("3 0 1 2", "1e30 0 1 2")), "line 13", "length of list", "1.0E30")
-    }
-
-    @Test
     fun binaryErrorsNameTheirByte() {
         val wrong = file(PlyFormat.BIG_ENDIAN, listOf(0, 1, 9))
         assertFails(wrong, "byte ${wrong.size}", "vertex number 9")

@@ -56,16 +56,6 @@ class PlyFaceLooksTest {
         }
     }
 
-    @Test
-    fun coloursOfVerticesHideThoseOfFaces() {
-        val text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" +
-            "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n" +
-            "property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n" +
-            "end_header\n0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n3 0 1 2 0 0 255\n"
-        val mesh = PlyParser.parse(TestSources.of(text)).meshes.single()
-        assertEquals(List(3) { color(0xFFFF0000) }, mesh.cornerColors())
-    }
-
     private val wedges = listOf("list uchar int vertex_indices", "list uchar float texcoord")
 
     private fun texture(folder: Path, name: String) =

@@ -61,18 +61,6 @@ class StlParserTest {
     }
 
     @Test
-    fun farFromTheOriginNoDetailOfTextIsLost() {
-        val text = "solid far\n facet normal 0 0 1\n outer loop\n vertex 500123.001 4649776.002 3.125\n" +
-            " vertex 500124.001 4649776.002 3\n vertex 500124.001 4649777.503 3\n endloop\n endfacet\nendsolid far\n"
-        val mesh = mesh(text)
-        val expected =
-            listOf(500123.001, 4649776.002, 3.125, 500124.001, 4649776.002, 3.0, 500124.001, 4649777.503, 3.0)
-        for ((i, number) in expected.withIndex()) {
-            assertEquals(number, mesh.positions[3 * mesh.triangles[i / 3] + i % 3] + mesh.origin.get(i % 3), 1e-6)
-        }
-    }
-
-    @Test
     fun cornersAtOnePositionAreOneVertex() {
         assertEquals(4, mesh(binary(corner, neighbour)).vertexCount)
         val negativeZero = neighbour.copyOf().also { it[2] = -0f }
@@ -164,13 +152,6 @@ class StlParserTest {
     }
 
     @Test
-    fun manySolidsAreManyMeshesInOrder() {
-        val text = ascii(corner, name = "a") + ascii(name = "empty") + ascii(neighbour, corner, name = "b c")
-        val meshes = StlParser.parse(TestSources.of(text)).meshes
-        assertEquals(listOf("a" to 1, "b c" to 2), meshes.map { it.material.name to it.triangleCount })
-    }
-
-    @Test
     fun lineBreaksAndCaseAreFree() {
         val words = ascii(corner).lines().drop(1).joinToString(" ")
         assertEquals(1, mesh("SOLID x\n" + words.uppercase()).triangleCount)
@@ -182,13 +163,6 @@ class StlParserTest {
     fun loopOfFourVerticesIsTwoTriangles() {
         val square = floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 1f, 1f, 0f, 0f, 1f, 0f)
         assertEquals(2, mesh(ascii(square)).triangleCount)
-    }
-
-    @Test
-    fun notANumberIsKept() {
-        val holed = corner.copyOf().also { it[4] = Float.NaN }
-        assertTrue(mesh(ascii(holed, neighbour)).positions[4].isNaN())
-        assertEquals(2, mesh(binary(holed, neighbour)).triangleCount)
     }
 
     @Test

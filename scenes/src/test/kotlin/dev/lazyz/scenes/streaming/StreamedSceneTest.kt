@@ -140,12 +140,6 @@ class StreamedSceneTest {
     }
 
     @Test
-    fun exactlyTwoParts() {
-        file.writeBytes(binary(terrain(110).take(16_384)))
-        assertSame()
-    }
-
-    @Test
     fun coloursOfFacets() {
         val random = Random(1)
         file.writeBytes(binary(terrain(80) { if (it % 5 == 0) 0 else 0x8000 or random.nextInt(1 shl 15) }))
@@ -189,15 +183,6 @@ class StreamedSceneTest {
             streamed.close()
         }
         assertEquals(emptyList<Path>(), spool.listDirectoryEntries())
-    }
-
-    @Test
-    fun theExtensionOrTheContentShowsTheFormat() {
-        val unnamed = folder.resolve("model")
-        unnamed.writeBytes(binary(terrain(3)))
-        Scenes.stream(unnamed, spool = spool).close()
-        unnamed.writeText(ascii(terrain(1).take(2)))
-        Scenes.stream(unnamed, spool = spool).close()
     }
 
     private fun assertRefused(vararg words: String, limits: LoadLimits = LoadLimits()) {

@@ -1,25 +1,9 @@
 package dev.lazyz.scenes.teapot
 
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test
 
 class TeapotPatchesTest {
-    @Test
-    fun patchesAreThirtyTwo() {
-        assertEquals(32, TeapotPatches.all.size)
-        assertEquals(
-            listOf(16, 8, 4, 4),
-            listOf(TeapotPatches.body, TeapotPatches.lid, TeapotPatches.handle, TeapotPatches.spout).map { it.size },
-        )
-    }
-
-    @Test
-    fun distinctControlPointsAreThoseOfThePublishedList() {
-        // The published list numbers 306: four belong to no patch, and twelve repeat the base where the bottom joins it
-        assertEquals(290, TeapotPatches.all.flatMap { points(it) }.toSet().size)
-    }
-
     @Test
     fun sampledControlPointsAreThePublishedOnes() {
         val published =
@@ -46,21 +30,6 @@ class TeapotPatchesTest {
         assertEquals(patches, TeapotPatches.all.map { points(it.mirrored(Axis.Y)) }.toSet())
         val round = TeapotPatches.body + TeapotPatches.lid
         assertEquals(round.map { points(it) }.toSet(), round.map { points(it.mirrored(Axis.X)) }.toSet())
-    }
-
-    @Test
-    fun mirroringTwiceChangesNothing() {
-        for (patch in TeapotPatches.all) {
-            for (axis in Axis.entries) {
-                val twice = patch.mirrored(axis).mirrored(axis)
-                assertEquals(points(patch), points(twice), "$axis of $patch")
-            }
-        }
-    }
-
-    @Test
-    fun patchOfTheWrongSizeIsRejected() {
-        assertThrows(IllegalArgumentException::class.java) { BezierPatch(DoubleArray(47)) }
     }
 
     private fun points(patch: BezierPatch): List<List<Double>> = patch.controlPoints.toList().chunked(BezierPatch.AXES)

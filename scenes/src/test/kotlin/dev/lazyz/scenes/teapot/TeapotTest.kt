@@ -4,9 +4,7 @@ import java.nio.ByteBuffer
 import java.util.zip.CRC32
 import kotlin.math.abs
 import kotlin.math.sqrt
-import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -36,13 +34,6 @@ class TeapotTest {
     }
 
     @Test
-    fun finestTessellationIsWhole() {
-        val mesh = Teapot.tessellate(Teapot.MAX_SEGMENTS)
-        assertEquals(64 * 256 * 256 - 8 * 256, mesh.triangleCount)
-        assertTrue(mesh.normals.all { it.isFinite() })
-    }
-
-    @Test
     fun boundsAreThePublishedOnes() {
         for (n in resolutions) {
             val mesh = Teapot.tessellate(n)
@@ -57,85 +48,6 @@ class TeapotTest {
     }
 
     @Test
-    fun normalsAreOfUnitLength() {
-        for (n in resolutions) {
-            val mesh = Teapot.tessellate(n)
-            for (vertex in 0 until mesh.vertexCount) {
-                val normal = mesh.normal(vertex)
-                assertEquals(1.0, sqrt(dot(normal, normal)), 1e-6, "normal of vertex $vertex at n = $n")
-            }
-        }
-    }
-
-    @Test
-    fun bodyAndLidFaceAwayFromTheAxis() {
-        val n = 16
-        val mesh = Teapot.tessellate(n)
-        val perPatch = (n + 1) * (n + 1)
-        val rimEnd = 4 * perPatch
-        val bottomStart = 12 * perPatch
-        val bottomEnd = 16 * perPatch
-        val lidEnd = 24 * perPatch
-        for (vertex in rimEnd until lidEnd) {
-            val normal = mesh.normal(vertex)
-            val position = mesh.position(vertex)
-            val radius = sqrt(position[0] * position[0] + position[2] * position[2])
-            val radial = normal[0] * position[0] + normal[2] * position[2]
-            if (vertex in bottomStart until bottomEnd) {
-                assertTrue(radial > 0.0 || normal[1] < 0.0, "vertex $vertex of the bottom: ${normal.toList()}")
-            } else if (radius > 0.0) {
-                assertTrue(radial > 0.0, "vertex $vertex: radial part $radial")
-            }
-        }
-        // The rim turns over: its inner border faces the axis, its outer border faces away
-        for (patch in 0 until 4) {
-            val inner = patch * perPatch
-            val outer = inner + perPatch - 1
-            assertTrue(horizontalDot(mesh, inner) < 0.0, "inner border of rim patch $patch")
-            assertTrue(horizontalDot(mesh, outer) > 0.0, "outer border of rim patch $patch")
-        }
-    }
-
-    @Test
-    fun handleAndSpoutFaceAwayFromTheirCentreLines() {
-        val n = 16
-        val mesh = Teapot.tessellate(n)
-        val perPatch = (n + 1) * (n + 1)
-        // The last two patches of eight are the lip, which turns inward
-        for (patch in 24 until 30) {
-            for (row in 0..n) {
-                val left = patch * perPatch + row * (n + 1)
-                val right = left + n
-                // The two ends of a half ring lie in the plane of symmetry, opposite each other
-                val across = minus(mesh.position(right), mesh.position(left))
-                assertTrue(dot(across, mesh.normal(right)) > 0.0, "patch $patch, row $row, right")
-                assertTrue(dot(across, mesh.normal(left)) < 0.0, "patch $patch, row $row, left")
-                val middle = left + n / 2
-                assertTrue(mesh.position(middle)[2] * mesh.normal(middle)[2] > 0.0, "patch $patch, row $row, middle")
-            }
-        }
-    }
-
-    @Test
-    fun collapsedPointsHaveTheNormalOfTheAxis() {
-        for (n in resolutions) {
-            val mesh = Teapot.tessellate(n)
-            var top = 0
-            var bottom = 0
-            for (vertex in 0 until mesh.vertexCount) {
-                val (x, y, z) = mesh.position(vertex)
-                if (x != 0.0 || z != 0.0) continue
-                // Knob up, bottom down, exactly
-                val expected = if (y > 1.0) floatArrayOf(0f, 1f, 0f) else floatArrayOf(0f, -1f, 0f)
-                assertArrayEquals(expected, mesh.normals.copyOfRange(3 * vertex, 3 * vertex + 3), "vertex $vertex")
-                if (y > 1.0) top++ else bottom++
-            }
-            assertEquals(4 * (n + 1), top, "at n = $n")
-            assertEquals(4 * (n + 1), bottom, "at n = $n")
-        }
-    }
-
-    @Test
     fun trianglesAreCounterClockwiseFromOutside() {
         // Coarser ones cut the corners of knob and rim, where triangles and normals no longer agree
         for (n in listOf(7, 10, 32)) {
@@ -145,22 +57,6 @@ class TeapotTest {
                 val facing = cross(minus(mesh.position(b), mesh.position(a)), minus(mesh.position(c), mesh.position(a)))
                 val outward = plus(mesh.normal(a), plus(mesh.normal(b), mesh.normal(c)))
                 assertTrue(dot(facing, outward) > 0.0, "triangle $triangle at n = $n")
-            }
-        }
-    }
-
-    @Test
-    fun texturesAreNeverMirrored() {
-        for (n in listOf(1, 10)) {
-            val mesh = Teapot.tessellate(n)
-            assertTrue(mesh.uvs.all { it in 0f..1f })
-            for (triangle in 0 until mesh.triangleCount) {
-                val (a, b, c) = mesh.corners(triangle)
-                val du1 = mesh.uvs[2 * b] - mesh.uvs[2 * a]
-                val dv1 = mesh.uvs[2 * b + 1] - mesh.uvs[2 * a + 1]
-                val du2 = mesh.uvs[2 * c] - mesh.uvs[2 * a]
-                val dv2 = mesh.uvs[2 * c + 1] - mesh.uvs[2 * a + 1]
-                assertTrue(du1 * dv2 - dv1 * du2 > 0f, "triangle $triangle at n = $n")
             }
         }
     }
@@ -185,49 +81,6 @@ class TeapotTest {
     }
 
     @Test
-    fun normalsAreTheSameOnBothSidesOfTheMirrorPlanes() {
-        val mesh = Teapot.tessellate(12)
-        val normals = HashMap<List<Int>, List<Int>>()
-        for (vertex in 0 until mesh.vertexCount) {
-            // Only inside a patch chain: where two rows of patches join, the last bit may differ
-            if (vertex % (13 * 13) / 13 !in 1..11) continue
-            val normal = bits(mesh.normals, vertex)
-            val other = normals.put(bits(mesh.positions, vertex), normal) ?: normal
-            assertEquals(other, normal, "vertex $vertex")
-        }
-        assertTrue(normals.size < 32 * 13 * 11, "no vertex was shared")
-    }
-
-    @Test
-    fun normalsAreContinuousAcrossPatches() {
-        val mesh = Teapot.tessellate(8)
-        // One point of the handle's lower end lies on the body, with another normal: look at each part alone
-        val handleStart = 24 * 9 * 9
-        val first = HashMap<Pair<Boolean, List<Int>>, Int>()
-        for (vertex in 0 until mesh.vertexCount) {
-            val twin = first.getOrPut((vertex < handleStart) to bits(mesh.positions, vertex)) { vertex }
-            assertEquals(1.0, dot(mesh.normal(twin), mesh.normal(vertex)), 1e-6, "vertices $twin and $vertex")
-        }
-    }
-
-    @Test
-    fun negativeZeroNeverOccurs() {
-        val mesh = Teapot.tessellate(5)
-        val minusZero = (-0.0f).toRawBits()
-        assertFalse(mesh.positions.any { it.toRawBits() == minusZero })
-        assertFalse(mesh.normals.any { it.toRawBits() == minusZero })
-    }
-
-    @Test
-    fun surfaceEnclosesItsVolume() {
-        // The open borders are small: the sum of the tetrahedra to the origin is positive and stable in n
-        val coarse = volume(Teapot.tessellate(24))
-        val fine = volume(Teapot.tessellate(48))
-        assertTrue(coarse > 0.0)
-        assertEquals(fine, coarse, fine / 100)
-    }
-
-    @Test
     fun bitsAreTheSameOnEveryMachine() {
         val mesh = Teapot.tessellate(7)
         assertEquals(POSITION_CRC, crc(mesh.positions.map { it.toRawBits() }), "positions")
@@ -240,11 +93,6 @@ class TeapotTest {
         val bytes = ByteBuffer.allocate(4 * words.size)
         words.forEach(bytes::putInt)
         return CRC32().apply { update(bytes.array()) }.value
-    }
-
-    private fun volume(mesh: TeapotMesh): Double = (0 until mesh.triangleCount).sumOf { triangle ->
-        val (a, b, c) = mesh.corners(triangle)
-        dot(mesh.position(a), cross(mesh.position(b), mesh.position(c))) / 6.0
     }
 
     private fun openBorder(key: List<Int>): String {
@@ -274,12 +122,6 @@ class TeapotTest {
     private fun extent(mesh: TeapotMesh, axis: Int): ClosedFloatingPointRange<Float> {
         val values = (0 until mesh.vertexCount).map { mesh.positions[3 * it + axis] }
         return values.min()..values.max()
-    }
-
-    private fun horizontalDot(mesh: TeapotMesh, vertex: Int): Double {
-        val normal = mesh.normal(vertex)
-        val position = mesh.position(vertex)
-        return normal[0] * position[0] + normal[2] * position[2]
     }
 
     private fun TeapotMesh.corners(triangle: Int) = List(3) { triangles[3 * triangle + it] }

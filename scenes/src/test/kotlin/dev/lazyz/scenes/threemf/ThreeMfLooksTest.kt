@@ -76,12 +76,6 @@ class ThreeMfLooksTest {
     }
 
     @Test
-    fun prefixesNeedNoDeclaration() {
-        val group = "<x:basematerials id=\"1\"><y:base displaycolor=\"#FF0000\"/></x:basematerials>"
-        assertEquals("FFFF0000", meshes(group + thing("id=\"9\" pid=\"1\"", ""), item).single().codes()[0])
-    }
-
-    @Test
     fun componentsWithoutLooksHaveThoseOfTheWhole() {
         val whole = "<object id=\"9\" pid=\"2\" pindex=\"0\"><components><component objectid=\"4\"/>" +
             "<component objectid=\"5\"/></components></object>"

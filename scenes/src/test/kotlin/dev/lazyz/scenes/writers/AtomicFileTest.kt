@@ -24,13 +24,6 @@ class AtomicFileTest {
     private val row = IntArray(4)
 
     @Test
-    fun aFailureMidwayLeavesNothingBehind() {
-        val path = folder.resolve("new.png")
-        assertThrows(IllegalStateException::class.java) { failingRender(path) }
-        assertEquals(emptyList<Path>(), files())
-    }
-
-    @Test
     fun aFailureMidwayKeepsTheOldFile() {
         for (name in listOf("old.png", "old.ppm", "old.pfm")) {
             val path = folder.resolve(name)
@@ -62,24 +55,6 @@ class AtomicFileTest {
         }
         assertEquals("done", result)
         assertEquals(listOf(path), files())
-    }
-
-    @Test
-    fun anOldFileIsReplaced() {
-        val path = folder.resolve("a.ppm")
-        Files.writeString(path, "a much longer old content than the new one will be")
-        ImageFiles.write(path, 1, 1) { it.row(0, row, row, row) }
-        assertEquals("P6\n1 1\n255\n".length + 3L, Files.size(path))
-    }
-
-    @Test
-    fun aLinkIsFollowed() {
-        val target = folder.resolve("target.ppm")
-        Files.writeString(target, "old")
-        val link = Files.createSymbolicLink(folder.resolve("link.ppm"), target)
-        ImageFiles.write(link, 1, 1) { it.row(0, row, row, row) }
-        assertTrue(Files.isSymbolicLink(link))
-        assertTrue(Files.readString(target).startsWith("P6"))
     }
 
     @Test

@@ -164,12 +164,4 @@ class ImageSinksTest {
         assertEquals("the image is incomplete: 0 of 2 rows", error.message)
         assertThrows(IOException::class.java) { PpmSink(ByteArrayOutputStream(), 3, 2).close() }
     }
-
-    @Test
-    fun theEndingChoosesTheFormat() {
-        assertEquals(ImageFormat.PNG, ImageFiles.formatOf(Path.of("a.b/c.PNG")))
-        assertEquals(ImageFormat.PFM, ImageFiles.formatOf(Path.of("depth.pfm")))
-        val error = assertThrows(IllegalArgumentException::class.java) { ImageFiles.formatOf(Path.of("a.jpg")) }
-        assertTrue(".png, .ppm, .pfm" in error.message.orEmpty(), error.message)
-    }
 }

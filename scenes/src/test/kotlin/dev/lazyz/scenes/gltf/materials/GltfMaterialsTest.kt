@@ -88,16 +88,6 @@ class GltfMaterialsTest {
     }
 
     @Test
-    fun defaultMaterialIsTheSpecifications() {
-        val files = GltfFiles()
-        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
-        val json = files.json("""$ONE_NODE,"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]""")
-        val material = GltfParser.parse(TestSources.of(json)).meshes.single().material
-        assertEquals(Rgba.WHITE, material.baseColor)
-        assertEquals(AlphaMode.OPAQUE to Sides.FRONT, material.alphaMode to material.sides)
-    }
-
-    @Test
     fun extensionsChangeLight() {
         assertEquals(Shading.CONSTANT, material("""{"extensions":{"KHR_materials_unlit":{}}}""").shading)
         val strength = """"KHR_materials_emissive_strength":{"emissiveStrength":4}"""
@@ -154,14 +144,6 @@ class GltfMaterialsTest {
     }
 
     private val image = ""","textures":[{"source":0}],"images":[{"bufferView":2}]"""
-
-    @Test
-    fun metallicRoughnessIsTheModel() {
-        val model = pbr(""""metallicFactor":0.25,"roughnessFactor":0.75""")
-        assertEquals(MetallicRoughness(0.25f, 0.75f), model.metallicRoughness)
-        assertEquals(MetallicRoughness(1f, 1f), material("{}").metallicRoughness)
-        assertNull(material("""{"extensions":{"KHR_materials_unlit":{}}}""").metallicRoughness)
-    }
 
     @Test
     fun mapsHaveTheirEncodings() {

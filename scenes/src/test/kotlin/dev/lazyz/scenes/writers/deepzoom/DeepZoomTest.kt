@@ -3,7 +3,6 @@ package dev.lazyz.scenes.writers.deepzoom
 import dev.lazyz.RowSink
 import dev.lazyz.filter.BoxPyramid
 import dev.lazyz.scenes.writers.AlphaChannel
-import dev.lazyz.scenes.writers.Locks
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -126,19 +125,6 @@ class DeepZoomTest {
     }
 
     @Test
-    fun aFolderThatCannotBeReadIsNotReplaced() {
-        val level = tiles.resolve("0").createDirectories()
-        assumeTrue(level.toFile().setReadable(false) && !Files.isReadable(level), "all is permitted to this user")
-        try {
-            val refused = assertThrows<IOException> { DeepZoomFiles.write(path, 9, 9) { _ -> error("must not begin") } }
-            val reason = "no permission to read ${level.toRealPath()}; permit it, or choose another name"
-            assertEquals("cannot write $path: $reason", refused.message)
-        } finally {
-            level.toFile().setReadable(true)
-        }
-    }
-
-    @Test
     fun aFolderThatCannotBeDeletedIsNotReplaced() {
         DeepZoomFiles.write(path, 20, 90) { sink -> send(sink, 20, 90) }
         val before = content(folder)
@@ -155,23 +141,6 @@ class DeepZoomTest {
             }
         }
         assertEquals(before, content(folder))
-    }
-
-    /** The permission is lost while the new pyramid is rendered. */
-    @Test
-    fun aPyramidIsCompleteEvenIfTheOldOneCannotBeDeleted() {
-        DeepZoomFiles.write(path, 300, 300) { sink -> send(sink, 300, 300) }
-        val level = tiles.resolve("3")
-        try {
-            DeepZoomFiles.write(path, 20, 90) { sink ->
-                send(sink, 20, 90)
-                assumeTrue(level.toFile().setWritable(false) && !Files.isWritable(level), "all is permitted")
-            }
-            requireLevels(20, 90, AlphaChannel.KEEP)
-            assertTrue("Width=\"20\"" in path.readText())
-        } finally {
-            Files.walk(folder).use { all -> all.forEach { it.toFile().setWritable(true) } }
-        }
     }
 
     /** The folder may be on another disk, and folders cannot be moved to another disk. */
@@ -203,22 +172,6 @@ class DeepZoomTest {
             assertEquals(setOf("real"), names(disk))
             assertTrue(tiles.isSymbolicLink())
         }
-    }
-
-    @Test
-    fun tilesAreBesideTheDescriptorThatALinkNames() {
-        val store = folder.resolve("store").createDirectories()
-        val link = folder.resolve("h.dzi").createSymbolicLinkPointingTo(Path.of("store/b.dzi"))
-        for (side in listOf(20, 40)) {
-            DeepZoomFiles.write(path, side, 90) { sink -> send(sink, side, 90) }
-            DeepZoomFiles.write(link, side, 90) { sink -> send(sink, side, 90) }
-            assertEquals(setOf("b.dzi", "b_files"), names(store))
-            assertEquals(path.readText(), store.resolve("b.dzi").readText())
-            assertEquals(content(tiles), content(store.resolve("b_files")))
-        }
-        assertEquals(setOf("a.dzi", "a_files", "h.dzi", "store"), names(folder))
-        assertTrue(link.isSymbolicLink())
-        assertEquals(store.resolve("b_files").toRealPath(), DeepZoomFiles.tiles(link))
     }
 
     @Test
@@ -263,14 +216,6 @@ class DeepZoomTest {
                 DeepZoomFiles.resume(path, 9, 9, AlphaChannel.DROP, mapOf()) { _, _ -> error("must not begin") }
             }
             assertTrue("another process" in refused.message.orEmpty(), refused.message)
-            send(sink, 9, 9)
-        }
-    }
-
-    @Test
-    fun aPartialPyramidStaysLocked() {
-        DeepZoomFiles.resume(path, 9, 9, AlphaChannel.DROP, mapOf()) { sink, _ ->
-            Locks.requireLocked(folder.resolve("a_files.partial/resume.txt"))
             send(sink, 9, 9)
         }
     }
@@ -379,14 +324,6 @@ class DeepZoomTest {
         assertTrue(Thread.interrupted(), "the status is set")
         assertEquals(tiles, content(other))
         assertEquals(before, content(folder).filterKeys { !it.startsWith("other") })
-    }
-
-    @Test
-    fun tilesThatDoNotExistAreNotPublished() {
-        val missing = folder.resolve("tiels")
-        val e = assertThrows<IOException> { DeepZoomFiles.publish(path, missing, 9, 9) }
-        assertEquals("cannot write $path: there is no folder of tiles $missing; name that of a DeepZoomSink", e.message)
-        assertEquals(emptyList<Path>(), folder.listDirectoryEntries())
     }
 
     @Test

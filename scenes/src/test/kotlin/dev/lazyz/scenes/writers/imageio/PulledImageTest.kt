@@ -7,7 +7,6 @@ import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
-import dev.lazyz.filter.SuperSampling
 import dev.lazyz.scenes.ChildJava
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.writers.toBufferedImage
@@ -72,15 +71,6 @@ class PulledImageTest {
             assertArrayEquals(IntArray(actual.size) { expected[it] shl 8 }, IntArray(actual.size) { actual[it] shl 8 })
         }
         assertThrows<IndexOutOfBoundsException> { image.getTile(0, 3) }
-    }
-
-    @Test
-    fun severalSamplesAPixel() {
-        val frame = SuperSampling(4).frame(teapot, Samples(90, 60))
-        val image = PulledImage.of(Tiled(), frame)
-        val expected = frame.render(Tiled()).argb
-        assertArrayEquals(expected, image.data.getDataElements(0, 0, 90, 60, null) as IntArray)
-        assertEquals(90 to 60, image.width to image.height)
     }
 
     @Test
