@@ -39,7 +39,7 @@ final class JavaPageCode {
 
     private static void consume(int[] argb) {}
 
-    static void memory(Scene scene, RowSink sink) throws InterruptedException {
+    static void memory(Scene scene, RowSink sink) throws InterruptedException, IOException {
         SampledFrame frame = new SuperSampling(4).frame(scene, new Raster(8000, 6000));
         MemoryItem output = new MemoryItem("output", PngSink.memory(8000, 6000));
         RenderPlan plan = new RenderPlanner(512L << 20).plan(frame, Renderers.getBuiltIn(), List.of(output));
