@@ -51,7 +51,7 @@ public enum class SortedShading {
  *
  * ```
  * val triangles = TriangleTable.readStl(spark, "scan.stl")
- * val picture = TrianglePicture(triangles, 4000, 3000) { Scene(listOf(it)).withUpAxis(UpAxis.Z) }
+ * val picture = TrianglePicture(triangles, 4000, 3000, { Scene(listOf(it)).withUpAxis(UpAxis.Z) })
  * println(picture.explain())
  * picture.writePng(Path.of("scan.png"))
  * ```

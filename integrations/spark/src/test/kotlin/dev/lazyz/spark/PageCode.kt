@@ -26,7 +26,7 @@ internal object PageCode {
 
     fun largeModel(spark: SparkSession) {
         val triangles = TriangleTable.readStl(spark, "hdfs:///scan.stl")
-        val picture = TrianglePicture(triangles, 4000, 3000) { Scene(listOf(it)).withUpAxis(UpAxis.Z) }
+        val picture = TrianglePicture(triangles, 4000, 3000, { Scene(listOf(it)).withUpAxis(UpAxis.Z) })
         println(picture.explain())
         picture.writePng(Path.of("scan.png"))
     }
