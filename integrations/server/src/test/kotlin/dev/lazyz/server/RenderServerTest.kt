@@ -49,18 +49,6 @@ class RenderServerTest {
         assertEquals(200, client.post("/render?size=17", Client.MODEL, "If-None-Match", tag).statusCode())
     }
 
-    @Test
-    fun transparentPicturesHaveAlpha() {
-        val answer = client.post("/render?size=16&background=transparent", Client.MODEL)
-        assertEquals(0, ImageIO.read(ByteArrayInputStream(answer.body())).getRGB(0, 0) ushr 24)
-    }
-
-    @Test
-    fun aBackgroundCanBeANameOfCss() {
-        val answer = client.post("/render?size=16&background=SkyBlue", Client.MODEL)
-        assertEquals(0xFF87CEEB.toInt(), ImageIO.read(ByteArrayInputStream(answer.body())).getRGB(0, 0))
-    }
-
     @ParameterizedTest
     @CsvSource(
         "400, /render?sise=5, there is no parameter 'sise'",

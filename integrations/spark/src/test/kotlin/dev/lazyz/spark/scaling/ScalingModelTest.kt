@@ -43,23 +43,6 @@ class ScalingModelTest {
     }
 
     @Test
-    fun allTrianglesCoverAllVisibleSamples() {
-        for (split in Split.entries) {
-            val all = ExpectedPiece(0.0, 1.0, 4000.0, 0.0, 1.0, 1.0)
-            assertEquals(1000.0, sizes(split, 0.7).fragments(all), 1e-9)
-            assertEquals(4000L, sizes(split, 0.7).bytes(all))
-        }
-    }
-
-    /** Two layers: a part with half the triangles misses a sample if it has neither, so it covers three quarters. */
-    @Test
-    fun halfOfTwoLayersCoversThreeQuarters() {
-        val half = ExpectedPiece(0.0, 0.5, 4000.0, 0.0, 1.0, 1.0)
-        assertEquals(750.0, sizes(Split.SCATTERED, 2.0).fragments(half), 1e-9)
-        assertEquals((750 * (4 + 2 * 0.25)).toLong(), sizes(Split.SCATTERED, 2.0).bytes(half))
-    }
-
-    @Test
     fun bandsOfAPartAddUpToIt() {
         for (split in Split.entries) {
             val bands = (0 until 4).sumOf {
