@@ -27,5 +27,4 @@ internal class Paint(private val color: Rgba?, private val texture: Texture?) {
         return material.withBaseColor(color ?: Rgba.WHITE).withTexture(texture).withShader(null)
             .withAlphaMode(if (isOpaque) AlphaMode.OPAQUE else AlphaMode.BLEND)
     }
-
 }
