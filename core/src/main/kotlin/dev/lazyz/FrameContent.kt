@@ -258,14 +258,7 @@ internal class FramePart(val first: Int, val size: Int, val reach: Reach?, priva
 /** A rectangle of samples: columns [left] until [right], rows [top] until [bottom]. It may lie outside the raster. */
 internal class Reach(private val left: Int, private val top: Int, private val right: Int, private val bottom: Int) {
     /** Returns the part of [region] that is in this rectangle, or null if there is none. */
-    fun within(region: Region): Region? {
-        val columnStart = maxOf(left, region.columnStart)
-        val rowStart = maxOf(top, region.rowStart)
-        val columnEnd = minOf(right, region.columnEnd)
-        val rowEnd = minOf(bottom, region.rowEnd)
-        if (columnStart >= columnEnd || rowStart >= rowEnd) return null
-        return Region(columnStart, rowStart, columnEnd, rowEnd)
-    }
+    fun within(region: Region): Region? = region.intersect(left, top, right, bottom)
 }
 
 /**

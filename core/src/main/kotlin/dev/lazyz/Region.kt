@@ -35,6 +35,37 @@ public class Region(
         columnStart <= other.columnStart && other.columnEnd <= columnEnd && rowStart <= other.rowStart &&
             other.rowEnd <= rowEnd
 
+    /** Returns the samples that are in both regions; null if there are none. */
+    public fun intersect(other: Region): Region? = if (contains(other)) {
+        other
+    } else {
+        intersect(other.columnStart, other.rowStart, other.columnEnd, other.rowEnd)
+    }
+
+    /**
+     * Returns the samples of this region in the columns [left] until [right] and the rows [top] until [bottom], which
+     * may be outside of any raster; null if there are none.
+     */
+    internal fun intersect(left: Int, top: Int, right: Int, bottom: Int): Region? {
+        val columnStart = maxOf(left, columnStart)
+        val rowStart = maxOf(top, rowStart)
+        val columnEnd = minOf(right, columnEnd)
+        val rowEnd = minOf(bottom, rowEnd)
+        return if (columnStart < columnEnd && rowStart < rowEnd) {
+            Region(columnStart, rowStart, columnEnd, rowEnd)
+        } else {
+            null
+        }
+    }
+
+    /**
+     * Returns the samples of this region in the rows [start] until [end].
+     *
+     * @throws IllegalArgumentException if there are none
+     */
+    public fun rows(start: Int, end: Int): Region =
+        Region(columnStart, maxOf(start, rowStart), columnEnd, minOf(end, rowEnd))
+
     /** Returns the smallest region that contains both. */
     public fun union(other: Region): Region = Region(
         minOf(columnStart, other.columnStart),

@@ -34,12 +34,13 @@ public class SampledFrame internal constructor(
     private fun samples(): Region {
         val factor = sampling.factor
         val around = (sampling.taps.margin + factor - 1) / factor
-        return Region(
-            maxOf(pixels.columnStart - around, 0) * factor,
-            maxOf(pixels.rowStart - around, 0) * factor,
-            minOf((pixels.columnEnd + around) * factor, all.raster.width),
-            minOf((pixels.rowEnd + around) * factor, all.raster.height),
+        val part = all.raster.region.intersect(
+            (pixels.columnStart - around) * factor,
+            (pixels.rowStart - around) * factor,
+            (pixels.columnEnd + around) * factor,
+            (pixels.rowEnd + around) * factor,
         )
+        return checkNotNull(part)
     }
 
     /** Whether each sample is a pixel, so that nothing has to be filtered. */

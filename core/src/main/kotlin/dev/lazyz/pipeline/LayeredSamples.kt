@@ -11,6 +11,7 @@ import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.Spans
 import dev.lazyz.endIfInterrupted
+import dev.lazyz.raster.forEachKey
 import dev.lazyz.raster.forEachRow
 
 /**
@@ -66,15 +67,8 @@ internal class LayeredSamples(
         counters.fragments += end - start
         counters.depthEvaluations += end - start
         val isTranslucent = primitive.isTranslucent
-        val form = primitive.depthForm
-        var z = form?.at(start, y) ?: 0L
-        val step = form?.dx ?: 0L
         var at = (y - region.rowStart) * region.width + (start - region.columnStart)
-        for (x in start until end) {
-            // Where depth is linear, each sample takes one addition
-            val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
-            z += step
-            val key = test.key(depth, index)
+        primitive.forEachKey(index, test, y, start, end) { x, key ->
             if (key < keys[at]) {
                 if (isTranslucent && !reserve()) return false
                 endIfInterrupted()

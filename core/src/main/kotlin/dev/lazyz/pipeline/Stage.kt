@@ -4,6 +4,7 @@ import dev.lazyz.Frame
 import dev.lazyz.HeapLayout
 import dev.lazyz.Spans
 import dev.lazyz.raster.bytes
+import dev.lazyz.raster.forEachKey
 
 /**
  * A primitive as a transformation of rows: takes the upstream row, whose cells show all earlier primitives, and returns
@@ -37,19 +38,9 @@ internal open class Stage(frame: Frame, val index: Int, y: Int, private val span
     }
 
     private fun drawSpan(row: Row, start: Int, end: Int) {
-        val test = row.test
         val keys = row.keys
-        val form = primitive.depthForm
-        var z = form?.at(start, row.y) ?: 0L
-        val step = form?.dx ?: 0L
         var passes = 0L
-        for (x in start until end) {
-            // One addition a sample if depth is linear
-            val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, row.y)
-            z += step
-
-            // The key contains depth and primitive; the visible fragment is the one with the smallest key
-            val key = test.key(depth, index)
+        primitive.forEachKey(index, row.test, row.y, start, end) { x, key ->
             if (key < keys[x - firstColumn]) {
                 keys[x - firstColumn] = key
                 passes++

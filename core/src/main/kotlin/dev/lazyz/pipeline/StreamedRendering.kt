@@ -76,11 +76,8 @@ internal class StreamedRendering(
 /** Returns bands of rows of [region], from top to bottom, that each take at most [mostBytes] or have one row. */
 internal fun bandsOf(region: Region, mostBytes: Long): List<Region> {
     val samples = minOf(mostBytes / SampleBuffer.BYTES_PER_SAMPLE, Image.MAX_SAMPLES)
-    val rows = (samples / region.width).coerceIn(1, region.height.toLong())
-    return (region.rowStart until region.rowEnd step rows.toInt()).map { top ->
-        val bottom = minOf(top + rows, region.rowEnd.toLong()).toInt()
-        Region(region.columnStart, top, region.columnEnd, bottom)
-    }
+    val rows = (samples / region.width).coerceIn(1, region.height.toLong()).toInt()
+    return (region.rowStart until region.rowEnd step rows).map { region.rows(it, it + rows) }
 }
 
 /** Returns most bytes of a band: the [limit] of the options, or a third of the heap. */

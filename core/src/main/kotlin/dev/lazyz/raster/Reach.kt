@@ -1,6 +1,7 @@
 package dev.lazyz.raster
 
 import dev.lazyz.Checkpoint
+import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Region
@@ -13,6 +14,10 @@ import dev.lazyz.endIfInterrupted
 internal fun Primitive.reaches(region: Region): Boolean =
     maxOf(rowStart, region.rowStart) < minOf(rowEnd, region.rowEnd) &&
         maxOf(columnStart, region.columnStart) < minOf(columnEnd, region.columnEnd)
+
+/** Returns the part of the bounds of this primitive in [region]; null if they do not intersect. */
+internal fun Primitive.boundsIn(region: Region): Region? =
+    region.intersect(columnStart, rowStart, columnEnd, rowEnd)
 
 /**
  * Calls [action] for each row of this primitive in [region], after its spans have been written to [spans]. Ends if the
@@ -27,6 +32,29 @@ internal inline fun Primitive.forEachRow(region: Region, spans: Spans, action: (
         endIfInterrupted()
         cursor.next(spans)
         action(y)
+    }
+}
+
+/**
+ * Calls [action] with the key of this primitive, whose submission index is [index], at each of its samples on row [y]
+ * from column [start] until [end]: depth and index, and the visible fragment is the one with the least key. Where depth
+ * is linear, each sample takes one addition.
+ */
+internal inline fun Primitive.forEachKey(
+    index: Int,
+    test: DepthTest,
+    y: Int,
+    start: Int,
+    end: Int,
+    action: (x: Int, key: Long) -> Unit,
+) {
+    val form = depthForm
+    var z = form?.at(start, y) ?: 0L
+    val step = form?.dx ?: 0L
+    for (x in start until end) {
+        val depth = if (form != null) (z shr 32).toInt() else depth(x, y)
+        z += step
+        action(x, test.key(depth, index))
     }
 }
 

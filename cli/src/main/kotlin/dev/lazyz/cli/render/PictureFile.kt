@@ -75,7 +75,6 @@ internal object PictureFile {
         facts: Map<String, String>,
         render: (RowSink, Region) -> T,
     ): T = DeepZoomFiles.resume(path, region.width, region.height, alpha, facts) { sink, first ->
-        val rest = Region(region.columnStart, region.rowStart + first, region.columnEnd, region.rowEnd)
-        render(sink, rest)
+        render(sink, region.rows(region.rowStart + first, region.rowEnd))
     }
 }

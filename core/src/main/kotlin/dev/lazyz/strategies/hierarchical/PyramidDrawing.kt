@@ -3,15 +3,15 @@ package dev.lazyz.strategies.hierarchical
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.Spans
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.AreaBounds
 import dev.lazyz.raster.VisibilityOrder
+import dev.lazyz.raster.boundsIn
+import dev.lazyz.raster.forEachKey
 import dev.lazyz.raster.forEachRow
-import dev.lazyz.raster.reaches
 import dev.lazyz.strategies.hierarchical.DepthPyramid.Companion.BLOCK
 
 /**
@@ -53,8 +53,7 @@ internal class PyramidDrawing(private val frame: Frame, private val counters: Co
         primitive = frame.primitives[index]
         nearestKey = order.nearestKey(primitive, index)
         farthestKey = order.farthestKey(primitive, index)
-        if (!primitive.reaches(region)) return endIfInterrupted()
-        box = boxOf(primitive)
+        box = primitive.boundsIn(region) ?: return endIfInterrupted()
         val isHidden = isHidden()
 
         // If the primitive is hidden, only count its samples
@@ -67,13 +66,6 @@ internal class PyramidDrawing(private val frame: Frame, private val counters: Co
             for (i in 0 until spans.count) drawSpan(y, spans.start(i), spans.end(i))
         }
     }
-
-    private fun boxOf(primitive: Primitive) = Region(
-        maxOf(primitive.columnStart, region.columnStart),
-        maxOf(primitive.rowStart, region.rowStart),
-        minOf(primitive.columnEnd, region.columnEnd),
-        minOf(primitive.rowEnd, region.rowEnd),
-    )
 
     private fun blockColumn(x: Int): Int = (x - region.columnStart) / BLOCK
 
@@ -114,32 +106,20 @@ internal class PyramidDrawing(private val frame: Frame, private val counters: Co
         // Otherwise use the bound of its depth plane: one depth evaluation for up to 64 samples
         val x = region.columnStart + column * BLOCK
         val y = region.rowStart + row * BLOCK
-        val area = Region(
-            maxOf(x, box.columnStart),
-            maxOf(y, box.rowStart),
-            minOf(x + BLOCK, box.columnEnd),
-            minOf(y + BLOCK, box.rowEnd),
-        )
+        val area = checkNotNull(box.intersect(x, y, x + BLOCK, y + BLOCK))
         return pyramid.isHidden(bounds.nearestKey(primitive, index, area), 0, column, row)
     }
 
     /** Draws the columns [start] until [end] of row [y], in the block at [column]. Samples keep the lesser key. */
     private fun drawRun(y: Int, start: Int, end: Int, column: Int) {
         counters.depthEvaluations += end - start
-        val form: LinearForm? = primitive.depthForm
-        var z = form?.at(start, y) ?: 0L
-        val step = form?.dx ?: 0L
         val row = blockRow(y)
         val farthest = if (pyramid.isCurrent(column, row)) pyramid.upperBound(column, row) else NO_KEY
         val keys = pyramid.keys
         var at = (y - region.rowStart) * region.width + (start - region.columnStart)
         var passes = 0
         var replaced = 0
-        for (x in start until end) {
-            // Where depth is linear, each sample takes one addition
-            val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
-            z += step
-            val key = test.key(depth, index)
+        primitive.forEachKey(index, test, y, start, end) { _, key ->
             val old = keys[at]
             if (key < old) {
                 keys[at] = key

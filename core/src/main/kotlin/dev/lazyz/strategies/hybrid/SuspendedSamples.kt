@@ -12,6 +12,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.Spans
 import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
+import dev.lazyz.raster.forEachKey
 import dev.lazyz.raster.forEachRow
 import dev.lazyz.shading.LateShading
 
@@ -77,16 +78,9 @@ internal class SuspendedSamples(private val frame: Frame, options: RenderOptions
     private fun drawSpan(primitive: Primitive, index: Int, y: Int, start: Int, end: Int) {
         counters.fragments += end - start
         counters.depthEvaluations += end - start
-        val form = primitive.depthForm
-        var z = form?.at(start, y) ?: 0L
-        val step = form?.dx ?: 0L
         val offset = (y - region.rowStart) * width - region.columnStart
         var run = start
-        for (x in start until end) {
-            // Where depth is linear, each sample takes one addition
-            val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
-            z += step
-            val key = test.key(depth, index)
+        primitive.forEachKey(index, test, y, start, end) { x, key ->
             if (isNearer(key, offset + x)) {
                 if (run == x) beginRun(primitive, index)
                 replace(primitive, x, y, offset + x, key)

@@ -5,6 +5,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
+import dev.lazyz.raster.forEachKey
 
 /**
  * The fragments of one row as visibility keys grouped by column, one piece of the row at a time.
@@ -101,18 +102,9 @@ internal class RowFragments(private val frame: Frame, private val counters: Coun
     private fun walk(index: Int, y: Int, start: Int, end: Int) {
         counters.fragments += end - start
         counters.depthEvaluations += end - start
-        val primitive = frame.primitives[index]
-        val form = primitive.depthForm
-        var z = form?.at(first + start, y) ?: 0L
-        val step = form?.dx ?: 0L
-        for (column in start until end) {
-            // Where depth is linear, each sample takes one addition
-            val depth = if (form != null) (z shr 32).toInt() else primitive.depth(first + column, y)
-            z += step
-            val key = test.key(depth, index)
-
+        frame.primitives[index].forEachKey(index, test, y, first + start, first + end) { x, key ->
             // Fragments behind the background are dropped
-            if (key < backgroundKey) keys[ends[column]++] = key
+            if (key < backgroundKey) keys[ends[x - first]++] = key
         }
     }
 

@@ -100,32 +100,19 @@ internal class BandCoverage(val primitive: Primitive, val index: Int, order: Vis
     fun end(position: Int): Int = columns[position + 1]
 
     /** Returns the part of [area] within the [box]. The band must have a covered sample. */
-    fun boxIn(area: Region): Region {
-        val box = checkNotNull(box)
-        return if (area.contains(box)) {
-            box
-        } else {
-            Region(
-                maxOf(area.columnStart, box.columnStart),
-                maxOf(area.rowStart, box.rowStart),
-                minOf(area.columnEnd, box.columnEnd),
-                minOf(area.rowEnd, box.rowEnd),
-            )
-        }
-    }
+    fun boxIn(area: Region): Region = checkNotNull(area.intersect(checkNotNull(box)))
 
     /** Returns the number of covered samples in [area], which lies in the band. */
     fun samplesIn(area: Region): Int {
         // The box decides whether the primitive is far away or contained
-        val box = box ?: return 0
-        val left = area.columnStart
-        val right = area.columnEnd
-        if (box.columnStart >= right || box.columnEnd <= left) return 0
-        if (area.contains(box)) return samples
+        val part = box?.let { area.intersect(it) } ?: return 0
+        if (part === box) return samples
 
         // Otherwise clip the spans of the area's rows to its columns
+        val left = part.columnStart
+        val right = part.columnEnd
         var count = 0
-        for (y in maxOf(area.rowStart, box.rowStart) until minOf(area.rowEnd, box.rowEnd)) {
+        for (y in part.rowStart until part.rowEnd) {
             var position = firstSpan(y, left)
             val end = endOfRow(y)
             while (position < end && columns[position] < right) {

@@ -3,17 +3,15 @@ package dev.lazyz.strategies.warnock
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
-import dev.lazyz.LinearForm
 import dev.lazyz.Region
 import dev.lazyz.bytes
-import dev.lazyz.raster.VisibilityOrder
+import dev.lazyz.raster.forEachKey
 
 /**
  * The visibility keys of a band of rows. They are set in two ways: without comparing ([fill]), and by minimum ([draw]).
  */
 internal class BandPainting(frame: Frame, bandHeight: Int, private val counters: Counters.Builder) {
     private val region = frame.region
-    private val order = VisibilityOrder(frame.raster.depthTest)
     private val test = frame.raster.depthTest
     private val backgroundKey = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
     private var firstRow = 0
@@ -42,26 +40,11 @@ internal class BandPainting(frame: Frame, bandHeight: Int, private val counters:
         }
         counters.depthEvaluations += area.size
         counters.depthPasses += area.size
-        val form = cover.primitive.depthForm
         for (y in area.rowStart until area.rowEnd) {
-            if (form == null) fillRow(area, y, cover) else fillRow(area, y, cover.index, form)
-        }
-    }
-
-    private fun fillRow(area: Region, y: Int, cover: BandCoverage) {
-        var at = at(area.columnStart, y)
-        for (x in area.columnStart until area.columnEnd) {
-            keys[at++] = test.key(cover.primitive.depth(x, y), cover.index)
-        }
-    }
-
-    /** Where depth is linear, each sample takes one addition. */
-    private fun fillRow(area: Region, y: Int, index: Int, form: LinearForm) {
-        var at = at(area.columnStart, y)
-        var z = form.at(area.columnStart, y)
-        for (x in area.columnStart until area.columnEnd) {
-            keys[at++] = order.key(z, index)
-            z += form.dx
+            var at = at(area.columnStart, y)
+            cover.primitive.forEachKey(cover.index, test, y, area.columnStart, area.columnEnd) { _, key ->
+                keys[at++] = key
+            }
         }
     }
 
@@ -81,17 +64,9 @@ internal class BandPainting(frame: Frame, bandHeight: Int, private val counters:
 
     private fun drawSpan(candidate: BandCoverage, y: Int, start: Int, end: Int) {
         counters.depthEvaluations += end - start
-        val primitive = candidate.primitive
-        val form = primitive.depthForm
-        var z = form?.at(start, y) ?: 0L
-        val step = form?.dx ?: 0L
         var at = at(start, y)
         var passes = 0
-        for (x in start until end) {
-            // Where depth is linear, each sample takes one addition
-            val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
-            z += step
-            val key = test.key(depth, candidate.index)
+        candidate.primitive.forEachKey(candidate.index, test, y, start, end) { _, key ->
             if (key < keys[at]) {
                 keys[at] = key
                 passes++

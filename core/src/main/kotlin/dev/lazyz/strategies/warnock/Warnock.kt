@@ -4,7 +4,6 @@ import dev.lazyz.Capability
 import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Frame
-import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
@@ -64,7 +63,7 @@ public class Warnock @JvmOverloads constructor(private val options: RenderOption
         val subdivision = Subdivision(frame, bandHeight, counters)
         val rows = KeyedRows(frame, LateShading(frame, options.coherence, counters, Checkpoint.CALLER), counters)
         for (top in region.rowStart until region.rowEnd step bandHeight) {
-            val band = Region(region.columnStart, top, region.columnEnd, minOf(top + bandHeight, region.rowEnd))
+            val band = region.rows(top, top + bandHeight)
 
             // Record what is covered, and determine what is visible
             coverages.moveTo(band)

@@ -15,6 +15,7 @@ import dev.lazyz.StreamingRenderer
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.pipeline.GuardedDrawing
 import dev.lazyz.pipeline.SampleBuffer
+import dev.lazyz.raster.forEachKey
 import dev.lazyz.raster.forEachPrimitive
 import dev.lazyz.raster.forEachRow
 import dev.lazyz.requireOpaque
@@ -77,15 +78,8 @@ public class ZBuffer : StreamingRenderer {
         private fun drawSpan(primitive: Primitive, index: Int, y: Int, start: Int, end: Int) {
             counters.fragments += end - start
             counters.depthEvaluations += end - start
-            val form = primitive.depthForm
-            var z = form?.at(start, y) ?: 0L
-            val step = form?.dx ?: 0L
             var at = samples.place(start, y)
-            for (x in start until end) {
-                // Where depth is linear, each sample takes one addition
-                val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
-                z += step
-                val key = test.key(depth, index)
+            primitive.forEachKey(index, test, y, start, end) { x, key ->
                 if (key < keys[at]) {
                     keys[at] = key
                     samples.argb[at] = shade(primitive, x, y)

@@ -8,6 +8,7 @@ import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
 import dev.lazyz.bytes
+import dev.lazyz.raster.forEachKey
 import dev.lazyz.raster.sortKeys
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
@@ -57,14 +58,7 @@ internal class TileLayers(
         reserve(count + until - from)
         counters.depthEvaluations += until - from
         val before = count
-        val form = primitive.depthForm
-        var z = form?.at(from, y) ?: 0L
-        val step = form?.dx ?: 0L
-        for (x in from until until) {
-            // Where depth is linear, each sample takes one addition
-            val depth = if (form != null) (z shr 32).toInt() else primitive.depth(x, y)
-            z += step
-            val key = test.key(depth, index)
+        primitive.forEachKey(index, test, y, from, until) { x, key ->
             if (key < opaque.at(x, y)) {
                 keys[count] = key
                 samples[count++] = opaque.place(x, y)

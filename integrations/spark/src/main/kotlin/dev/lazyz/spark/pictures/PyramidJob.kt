@@ -172,16 +172,11 @@ internal class CutBlock(
         val top = region.rowStart shr level
         val right = left + rows[level].first().size
         val bottom = top + rows[level].size
+        val block = Region(left, top, right, bottom)
         for (row in TileKey.tiles(top, bottom, BoxPyramid.side(height, level))) {
             for (column in TileKey.tiles(left, right, BoxPyramid.side(width, level))) {
                 val key = TileKey(level, column, row)
-                val tile = key.region(width, height)
-                val part = Region(
-                    maxOf(tile.columnStart, left),
-                    maxOf(tile.rowStart, top),
-                    minOf(tile.columnEnd, right),
-                    minOf(tile.rowEnd, bottom),
-                )
+                val part = checkNotNull(key.region(width, height).intersect(block))
                 val piece = PixelBlock.Builder(part, planes = 1)
                 for (y in part.rowStart until part.rowEnd) piece.add(rows[level][y - top], part.columnStart - left)
                 yield(Tuple2(key, piece.build(Counters.NONE)))

@@ -120,9 +120,7 @@ internal class SortFirst(
             val wished = region.height / (BANDS_PER_THREAD * threads)
             val most = (MOST_PIXELS / region.width).coerceAtLeast(1).toInt()
             val rows = maxOf((wished + ROWS - 1) / ROWS * ROWS, ROWS).coerceAtMost(most)
-            return (region.rowStart until region.rowEnd step rows).map { top ->
-                Region(region.columnStart, top, region.columnEnd, minOf(top + rows, region.rowEnd))
-            }
+            return (region.rowStart until region.rowEnd step rows).map { region.rows(it, it + rows) }
         }
     }
 }

@@ -102,7 +102,7 @@ internal class PartDrawing(
 
         /** Draws the samples of a band that the triangles can cover. */
         fun draw(into: BandSamples, isShaded: Boolean) {
-            val seen = region?.let { common(it, into.region) } ?: return
+            val seen = region?.intersect(into.region) ?: return
             val test = raster.depthTest
             val seenFrame = frame.within(seen)
             val work = renderer.render(if (isShaded) seenFrame else seenFrame.unshaded()) { y, argb, depth, primitive ->
@@ -137,13 +137,5 @@ internal class PartDrawing(
         fun otherSurfaces(scene: Scene): String = "the scene must have the given triangles as its only surface: $scene"
 
         private val NOTHING = Mesh(FloatArray(0), IntArray(0))
-
-        private fun common(a: Region, b: Region): Region? {
-            val left = maxOf(a.columnStart, b.columnStart)
-            val top = maxOf(a.rowStart, b.rowStart)
-            val right = minOf(a.columnEnd, b.columnEnd)
-            val bottom = minOf(a.rowEnd, b.rowEnd)
-            return if (left < right && top < bottom) Region(left, top, right, bottom) else null
-        }
     }
 }

@@ -102,8 +102,7 @@ public class PulledImage private constructor(
         band = null
         val pixels = IntArray(width * rows)
         val first = region.rowStart + tileY * rows
-        val end = minOf(first + rows, region.rowEnd)
-        render(Region(region.columnStart, first, region.columnEnd, end), pixels)
+        render(region.rows(first, first + rows), pixels)
         val origin = Point(0, tileY * rows)
         val raster = Raster.createWritableRaster(samples, DataBufferInt(pixels, pixels.size), origin)
         band = raster
