@@ -160,6 +160,9 @@ public class FragmentBatch internal constructor(capacity: Int) {
     /** Scratch memory of 4 numbers for a shader while it runs. */
     internal val texel: FloatArray get() = each.texel
 
+    /** Scratch memory for a physically based material. */
+    internal val surface: FloatArray get() = each.surface
+
     /** Returns [count] arrays as long as those of the attributes, with any contents, for a shader while it runs. */
     internal fun scratch(count: Int): Array<FloatArray> {
         if (scratch.size < count) scratch = Array(count) { FloatArray(x.size) }

@@ -21,11 +21,10 @@ import kotlin.math.sqrt
 internal class BatchPhysicalLighting(
     viewer: Viewer,
     private val sources: LightSources,
-    studio: StudioView?,
+    private val studio: StudioView?,
     private val visibility: AmbientVisibility?,
 ) {
     private val vectors = LightVectors(viewer, sources, visibility)
-    private val studio = studio?.let { BatchStudio(it) }
 
     /**
      * Adds the reflected light to the colours of [batch]. The normals (of any length) and the occlusion are in the
@@ -145,7 +144,7 @@ internal class BatchPhysicalLighting(
         if (studio == null) {
             for (array in RADIANCE until RADIANCE + 6) scratch[array].fill(0f, 0, count)
         } else {
-            studio.store(scratch, count)
+            store(studio, scratch, batch.surface, count)
         }
         split(scratch[ALONG], scratch[ROUGHNESS], scratch[SCALE], scratch[BIAS], count)
         val open = if (visibility == null) null else scratch[OPEN]
@@ -156,6 +155,21 @@ internal class BatchPhysicalLighting(
         gather(batch.red, scratch, 0, open, count)
         gather(batch.green, scratch, 1, open, count)
         gather(batch.blue, scratch, 2, open, count)
+    }
+
+    /** Stores the light of the studio, fragment by fragment: loops over arrays take as long. */
+    private fun store(studio: StudioView, scratch: Array<FloatArray>, surface: FloatArray, count: Int) {
+        val (nx, ny, nz) = List(3) { scratch[LightVectors.NORMAL + it] }
+        val (vx, vy, vz) = List(3) { scratch[LightVectors.VIEW + it] }
+        for (i in 0 until count) {
+            val twice = 2f * scratch[ALONG][i]
+            val roughness = scratch[ROUGHNESS][i]
+            studio.radiance(
+                twice * nx[i] - vx[i], twice * ny[i] - vy[i], twice * nz[i] - vz[i], roughness * roughness, surface,
+            )
+            studio.irradiance(nx[i], ny[i], nz[i], surface)
+            for (k in 0 until 6) scratch[RADIANCE + k][i] = surface[PhysicalSurface.RADIANCE + k]
+        }
     }
 
     private fun split(along: FloatArray, roughness: FloatArray, scale: FloatArray, bias: FloatArray, count: Int) {
@@ -232,15 +246,13 @@ internal class BatchPhysicalLighting(
         const val RADIANCE: Int = ALONG + 1
         const val IRRADIANCE: Int = RADIANCE + 3
 
-        /** Scratch memory of the studio, [BatchStudio.COUNT] arrays; for direct light, before it, six. */
-        const val STUDIO: Int = IRRADIANCE + 3
-        private const val HALFWAY = STUDIO
+        private const val HALFWAY = IRRADIANCE + 3
         private const val GRAZING = HALFWAY + 3
         private const val SINE = GRAZING + 1
         private const val PART = SINE + 1
         private const val LOBE = PART + 1
         private const val ALPHA_SQUARE = LOBE + 1
-        private const val SCALE = STUDIO + BatchStudio.COUNT
+        private const val SCALE = ALPHA_SQUARE + 1
         private const val BIAS = SCALE + 1
         private const val OPEN = BIAS + 1
 

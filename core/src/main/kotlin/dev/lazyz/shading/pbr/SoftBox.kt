@@ -50,29 +50,19 @@ internal class SoftBox(
 
     /** Returns how much of the light that is blurred by [blur] from the unit vector (x, y, z) is of this box, 0..1. */
     fun coverage(x: Float, y: Float, z: Float, blur: Float): Float {
-        val distance = distance(x, y, z)
+        val distance = cx * x + cy * y + cz * z
         if (!(distance > LEAST)) return 0f
-        return coverage(s(x, z, distance), t(x, y, z, distance), blur)
+        val s = (sx * x + sz * z) / distance
+        val t = (tx * x + ty * y + tz * z) / distance
+        return part(s, width, blur) * part(t, height, blur)
     }
-
-    /** Returns the cosine between a unit vector and the direction of the box. */
-    fun distance(x: Float, y: Float, z: Float): Float = cx * x + cy * y + cz * z
-
-    /** Returns the coordinate s of the point where a direction meets the plane of the box. */
-    fun s(x: Float, z: Float, distance: Float): Float = (sx * x + sz * z) / distance
-
-    /** Returns the coordinate t of the point where a direction meets the plane of the box. */
-    fun t(x: Float, y: Float, z: Float, distance: Float): Float = (tx * x + ty * y + tz * z) / distance
-
-    /** Returns the coverage around the point (s, t). */
-    fun coverage(s: Float, t: Float, blur: Float): Float = part(s, width, blur) * part(t, height, blur)
 
     private fun part(at: Float, half: Float, blur: Float): Float =
         0.5f * (slope((at + half) / blur) - slope((at - half) / blur))
 
     private fun slope(x: Float): Float = x / sqrt(1f + x * x)
 
-    companion object {
+    private companion object {
         /** Directions nearer to the plane through the viewer are behind the box. */
         const val LEAST: Float = 0.01f
     }

@@ -9,7 +9,7 @@ package dev.lazyz.shading.pbr
  * P. Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001.
  */
 internal object Studio {
-    val boxes: Array<SoftBox> = arrayOf(
+    private val boxes: Array<SoftBox> = arrayOf(
         // Key light at the upper left, fill light at the right, above, and behind at the left and at the right; and a
         // dim light at the camera, which is what black glossy surfaces show where they face it
         SoftBox(doubleArrayOf(-0.75, 0.70, 0.75), 0.55f, 0.50f, 3.1f, 3.0f, 2.9f),
@@ -26,7 +26,7 @@ internal object Studio {
     private const val BEND = 0.04f
 
     /** Nine coefficients of the irradiance for red, green and blue. */
-    val harmonics: Array<FloatArray> = Array(3) { FloatArray(9) }
+    private val harmonics: Array<FloatArray> = Array(3) { FloatArray(9) }
 
     init {
         integrate()
@@ -58,39 +58,22 @@ internal object Studio {
     /** Stores the mean light that a matt surface with the unit normal (x, y, z) receives in [out]. */
     fun irradiance(x: Float, y: Float, z: Float, out: FloatArray, at: Int) {
         for (channel in 0 until 3) {
-            val h = harmonics[channel]
-            val sum = sum(h[0], h[1], h[2], h[3], h[4], h[5], h[6], h[7], h[8], x, y, z)
+            val sum = sum(harmonics[channel], x, y, z)
             out[at + channel] = if (sum > 0f) sum else 0f
         }
     }
 
     /** Returns the light of the walls around a direction, blurred by microfacets of the width [alpha]. */
-    fun wall(y: Float, alpha: Float): Float =
+    private fun wall(y: Float, alpha: Float): Float =
         HORIZON + RISE * (1f - alpha / 3f) * y + BEND * (1f - 0.75f * alpha) * (y * y - THIRD)
 
     /** Returns the width by which the light of a box is blurred. */
-    fun blur(alpha: Float): Float = EDGE + alpha * NARROW / (1f + 2.6f * alpha)
+    private fun blur(alpha: Float): Float = EDGE + alpha * NARROW / (1f + 2.6f * alpha)
 
-    /**
-     * Returns the sum of the nine spherical harmonics with the coefficients [h0] to [h8] in the direction (x, y, z).
-     * They are not passed as an array: a loop that writes to one array and reads numbers from a fixed place in another
-     * is not vectorised, because both could be the same.
-     */
-    fun sum(
-        h0: Float,
-        h1: Float,
-        h2: Float,
-        h3: Float,
-        h4: Float,
-        h5: Float,
-        h6: Float,
-        h7: Float,
-        h8: Float,
-        x: Float,
-        y: Float,
-        z: Float,
-    ): Float = h0 + h1 * y + h2 * z + h3 * x + h4 * (x * y) + h5 * (y * z) +
-        h6 * (3f * z * z - 1f) + h7 * (x * z) + h8 * (x * x - y * y)
+    /** Returns the sum of the nine spherical harmonics with the coefficients [h] in the direction (x, y, z). */
+    private fun sum(h: FloatArray, x: Float, y: Float, z: Float): Float =
+        h[0] + h[1] * y + h[2] * z + h[3] * x + h[4] * (x * y) + h[5] * (y * z) +
+            h[6] * (3f * z * z - 1f) + h[7] * (x * z) + h[8] * (x * x - y * y)
 
     private fun integrate() {
         val sums = Array(3) { DoubleArray(9) }

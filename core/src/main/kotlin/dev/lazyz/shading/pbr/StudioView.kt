@@ -6,10 +6,10 @@ import dev.lazyz.world.Environment
 /**
  * The studio as placed around a camera: upright, with its front on the side of the camera. Immutable and thread safe.
  *
- * @property intensity factor of the light
+ * @param intensity factor of the light
  */
 internal class StudioView private constructor(
-    val intensity: Float,
+    private val intensity: Float,
     private val sine: Float,
     private val cosine: Float,
 ) {
@@ -28,10 +28,10 @@ internal class StudioView private constructor(
     }
 
     /** Returns the x in the space of the studio of a direction in world space. */
-    fun x(x: Float, z: Float): Float = cosine * x - sine * z
+    private fun x(x: Float, z: Float): Float = cosine * x - sine * z
 
     /** Returns the z in the space of the studio of a direction in world space. */
-    fun z(x: Float, z: Float): Float = sine * x + cosine * z
+    private fun z(x: Float, z: Float): Float = sine * x + cosine * z
 
     companion object {
         /** Returns the view of [environment] from [camera]; null if there is no environment. */
