@@ -1,7 +1,6 @@
 package dev.lazyz.conformance.mutants.wrappers
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Image
@@ -80,38 +79,6 @@ internal object PromiseMistakes {
 
     fun buffersRows() = claiming("buffers-rows", Capability.STREAMS_ROWS, ZBuffer())
 
-    private val stepping = setOf(Capability.SHADES_ONLY_VISIBLE, Capability.COHERENCE)
-
-    fun keepsStepping(): BrokenRenderer = keepsStepping(RenderOptions())
-
-    private fun keepsStepping(last: RenderOptions): BrokenRenderer = BrokenRenderer(
-        "keeps-stepping",
-        stepping,
-        options = { keepsStepping(if (it.coherence == Coherence.DIRECT) last else it) },
-    ) { frame, sink -> LazyZBuffer(last).render(frame, sink) }
-
-    /** Ignores the options of coherence in frames with a translucent primitive. */
-    fun shadesGlassDirectly(): BrokenRenderer = shadesGlassDirectly(RenderOptions())
-
-    private fun shadesGlassDirectly(options: RenderOptions): BrokenRenderer = BrokenRenderer(
-        "shades-glass-directly",
-        stepping + Capability.TRANSPARENCY,
-        options = { shadesGlassDirectly(it) },
-    ) { frame, sink -> Lists(if (frame.hasTranslucency) RenderOptions() else options).render(frame, sink) }
-
-    /** Ignores the options of coherence if there is a selector. */
-    fun stepsOrSelects(): BrokenRenderer = stepsOrSelects(RenderOptions())
-
-    private fun stepsOrSelects(options: RenderOptions): BrokenRenderer = BrokenRenderer(
-        "steps-or-selects",
-        stepping + Capability.SELECTION,
-        options = { stepsOrSelects(it) },
-    ) { frame, sink ->
-        require(!frame.hasTranslucency) { "does not blend: make primitive 0 opaque" }
-        val used = if (options.selector != null) options.withCoherence(Coherence.DIRECT) else options
-        Lists(used).render(frame, sink)
-    }
-
     /** Reports the memory of opaque pictures also for translucent ones. */
     fun reportsNoLayers() = BrokenRenderer("reports-no-layers", setOf(Capability.TRANSPARENCY)) { frame, sink ->
         val counters = Tiled(RenderOptions(threads = 1)).render(frame, sink).toBuilder()
@@ -144,19 +111,6 @@ internal object PromiseMistakes {
             Tiled(RenderOptions(threads = threads, tileSize = 8)).render(frame, sink).toBuilder()
                 .also { change(it, threads) }.build()
         }
-
-    fun budgetIgnoredBySteps(): BrokenRenderer = budgetIgnoredBySteps(RenderOptions())
-
-    private fun budgetIgnoredBySteps(options: RenderOptions): BrokenRenderer {
-        val steps = options.coherence != Coherence.DIRECT
-        val hybrid = Hybrid(if (steps) options.withoutMemoryBudget() else options)
-        return BrokenRenderer(
-            "budget-ignored-by-steps",
-            setOf(Capability.MEMORY_BUDGET, Capability.COHERENCE),
-            { budgetIgnoredBySteps(it) },
-            how = hybrid::render,
-        )
-    }
 
     fun budgetIgnored() = claiming("budget-ignored", Capability.MEMORY_BUDGET, Hybrid())
 

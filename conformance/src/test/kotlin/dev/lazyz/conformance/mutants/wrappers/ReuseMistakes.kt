@@ -102,26 +102,6 @@ internal object ReuseMistakes {
         ZBuffer().render(Frame(frame.raster, late, frame.region), sink)
     }
 
-    /** Keeps to the budget, but for the places of spans in rows with many of them. */
-    fun keepsShortSpans(): BrokenRenderer = keepsShortSpans(RenderOptions())
-
-    private fun keepsShortSpans(options: RenderOptions): BrokenRenderer = BrokenRenderer(
-        "keeps-short-spans",
-        setOf(Capability.MEMORY_BUDGET),
-        { keepsShortSpans(it) },
-    ) { frame, sink ->
-        val places = ArrayList<IntArray>()
-        val noted = frame.primitives.map { primitive ->
-            object : Recovered(primitive) {
-                override fun spans(y: Int, spans: Spans) {
-                    whole.spans(y, spans)
-                    if (spans.count > FEW_SPANS) places.add(IntArray(spans.count))
-                }
-            }
-        }
-        Hybrid(options).render(Frame(frame.raster, noted, frame.region), sink).also { places.clear() }
-    }
-
     /** Takes primitives one by one and keeps all of them, whatever the budget. */
     fun keepsHeavyPrimitives(): BrokenRenderer = BudgetStream("keeps-heavy-primitives") { _, drawing ->
         val kept = ArrayList<Primitive>()
@@ -243,7 +223,6 @@ internal object ReuseMistakes {
 
     private const val WHITE = -1
     private const val BAND = 64
-    private const val FEW_SPANS = 500
     private const val SMALL = 4
     private const val GROUP = 1 shl 14
     private const val MANY_TRIANGLES = 80

@@ -24,14 +24,6 @@ internal object SelectorMistakes {
         Mistake(::losesInterrupts, "an interrupt while the selector is called is lost", RuleNames.status),
     )
 
-    fun keepsItsSelector(): BrokenRenderer = keepsItsSelector(RenderOptions())
-
-    private fun keepsItsSelector(last: RenderOptions): BrokenRenderer = BrokenRenderer(
-        "keeps-its-selector",
-        setOf(Capability.SELECTION),
-        options = { keepsItsSelector(if (it.selector == null) last else it) },
-    ) { frame, sink -> Lists(last).render(frame, sink) }
-
     fun ignoresTheSelector() = selecting("ignores-the-selector") { Selector.nearest() }
 
     fun cellsFromTheBack() = selecting("cells-from-the-back") { selector -> Selector { selector.select(Reversed(it)) } }

@@ -3,7 +3,6 @@ package dev.lazyz.conformance.mutants.wrappers
 import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
-import dev.lazyz.Selector
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames
@@ -45,22 +44,6 @@ internal object VariantMistakes {
         BrokenRenderer(id, parallel, { withThreads(id, it.threads, ofGlass) }) { frame, sink ->
             val all = if (frame.hasTranslucency) ofGlass(threads, frame) else threads
             Tiled(RenderOptions(threads = all, tileSize = 8)).render(frame, sink)
-        }
-
-    fun wrapsTheSelectors(): BrokenRenderer = wrapsTheSelectors(RenderOptions())
-
-    private fun wrapsTheSelectors(options: RenderOptions): BrokenRenderer =
-        BrokenRenderer("wraps-the-selectors", setOf(Capability.SELECTION), { wrapsTheSelectors(it) }) { frame, sink ->
-            val inner = options.selector?.let { selector ->
-                Selector {
-                    try {
-                        selector.select(it)
-                    } catch (e: RuntimeException) {
-                        throw IllegalStateException("the selector failed", e)
-                    }
-                }
-            }
-            Lists(options.withSelector(inner)).render(frame, sink)
         }
 }
 
