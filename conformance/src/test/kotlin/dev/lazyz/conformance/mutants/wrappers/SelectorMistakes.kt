@@ -21,7 +21,6 @@ internal object SelectorMistakes {
         Mistake(::cutsColumns, "the selector gets columns of 16 bits", RuleNames.far),
         Mistake(::selectsTwice, "the selector is called twice for each sample", RuleNames.called),
         Mistake(::skipsSingleFragments, "the selector is not called where there is one fragment", RuleNames.called),
-        Mistake(::losesInterrupts, "an interrupt while the selector is called is lost", RuleNames.status),
     )
 
     fun ignoresTheSelector() = selecting("ignores-the-selector") { Selector.nearest() }
@@ -70,15 +69,6 @@ internal object SelectorMistakes {
 
     fun skipsSingleFragments() = selecting("selects-among-several-only") { selector ->
         Selector { cell -> if (cell.size == 1) cell.show(0) else selector.select(cell) }
-    }
-
-    fun losesInterrupts() = selecting("loses-interrupts-of-selectors") { selector ->
-        val caller = Thread.currentThread()
-        Selector { cell ->
-            val was = caller.isInterrupted
-            selector.select(cell)
-            if (!was && Thread.currentThread() === caller) Thread.interrupted()
-        }
     }
 
     private fun selecting(id: String, change: (Selector) -> Selector) = BrokenRenderer(
