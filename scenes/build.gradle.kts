@@ -6,10 +6,10 @@ kotlin {
 
 dependencies {
     api(project(":core"))
-    implementation(libs.jackson.databind)
-    implementation(libs.jgltf.model)
+    implementation(libs.jackson.core)
     implementation(libs.drako)
     implementation(libs.obj)
     implementation(libs.earcut4j)
+    testImplementation(libs.jackson.databind)
     testImplementation(libs.jacoco.core)
 }

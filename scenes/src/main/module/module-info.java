@@ -3,12 +3,10 @@ module dev.lazyz.scenes {
     requires transitive dev.lazyz.core;
     requires transitive java.desktop;
     requires java.xml;
-    requires com.fasterxml.jackson.databind;
+    requires com.fasterxml.jackson.core;
     // These have no descriptors; their names are those of the files
     requires drako;
     requires earcut4j;
-    requires jgltf.impl.v2;
-    requires jgltf.model;
     requires obj;
 
     exports dev.lazyz.scenes.aov;

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.gltf
 
-import de.javagl.jgltf.impl.v2.Camera as CameraJson
 import dev.lazyz.scenes.NamedCamera
+import dev.lazyz.scenes.gltf.document.CameraJson
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.geometry.PlacedNode
 import dev.lazyz.scenes.printable

@@ -38,7 +38,7 @@ internal object GltfExtensions {
 
     /** Fails if the file requires an unsupported extension without which its shapes cannot be read. */
     fun check(document: GltfDocument) {
-        for (name in document.json.extensionsRequired.orEmpty().filterNotNull()) {
+        for (name in document.json.extensionsRequired) {
             if (name in known || appearance.any { name.startsWith(it) }) continue
             document.source.fail(
                 "extensionsRequired",
@@ -50,8 +50,7 @@ internal object GltfExtensions {
 
     /** Reports the unsupported extensions that the file uses, in one warning. */
     fun warnOfUnknown(document: GltfDocument) {
-        val used: List<String?> = document.json.extensionsUsed.orEmpty() + document.json.extensionsRequired.orEmpty()
-        val unknown = used.filterNotNull().distinct() - known
+        val unknown = (document.json.extensionsUsed + document.json.extensionsRequired).distinct() - known
         if (unknown.isEmpty()) return
         val shown = unknown.take(MOST_SHOWN).joinToString() + if (unknown.size > MOST_SHOWN) " and others" else ""
         document.warn("extensions that are not known are passed over, ${unknown.size} in all: $shown")

@@ -23,13 +23,13 @@ import org.joml.Vector3d
  */
 internal class GltfLights(private val document: GltfDocument) {
     private val lights: List<*> by lazy {
-        ExtensionValues.of(document.json, GltfExtensions.LIGHTS)?.get("lights") as? List<*> ?: emptyList<Any>()
+        document.json.extension(GltfExtensions.LIGHTS)?.get("lights") as? List<*> ?: emptyList<Any>()
     }
 
     /** Returns the lights of [nodes] for [scene]. */
     fun of(nodes: List<PlacedNode>, scene: Scene): List<Light> {
         val own = nodes.mapNotNull { node ->
-            val reference = ExtensionValues.of(node.node, GltfExtensions.LIGHTS) ?: return@mapNotNull null
+            val reference = node.node.extension(GltfExtensions.LIGHTS) ?: return@mapNotNull null
             val where = "nodes[${node.index}].extensions.${GltfExtensions.LIGHTS}.light"
             val index = (reference["light"] as? Number)?.toInt()
             val json = document.element(lights, index, "lights", where) as? Map<*, *>

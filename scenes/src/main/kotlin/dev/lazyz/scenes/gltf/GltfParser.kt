@@ -52,7 +52,7 @@ internal object GltfParser : SceneParser {
     private fun reasonForNothing(document: GltfDocument, nodes: List<PlacedNode>): String {
         val withMesh = nodes.filter { it.node.mesh != null }
         return when {
-            document.json.meshes.isNullOrEmpty() -> "there are no meshes"
+            document.json.meshes.isEmpty() -> "there are no meshes"
             withMesh.isEmpty() -> "no node of the scene has a mesh"
             withMesh.none { it.isVisible } -> "all nodes with meshes are hidden"
             else -> "the meshes are empty"

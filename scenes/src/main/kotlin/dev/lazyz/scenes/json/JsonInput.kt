@@ -18,21 +18,17 @@ internal object JsonInput {
         val constraints = StreamReadConstraints.builder()
             .maxNestingDepth(source.loading.limits.nesting).maxStringLength(Int.MAX_VALUE).build()
         val factory = JsonFactory.builder().streamReadConstraints(constraints).build()
-        return Counting(source, open(factory, SteppedBytes(source, bytes)), areItems = true)
+        return Counting(source, open(factory, SteppedBytes(source, bytes)))
     }
-
-    /** Returns [parser], which reads [source] a second time, with its steps counted. */
-    fun again(source: Source, parser: JsonParser): JsonParser = Counting(source, parser, areItems = false)
 
     /** Returns [location] as `line 3, column 7`. */
     fun place(location: JsonLocation): String = "line ${location.lineNr}, column ${location.columnNr}"
 
-    private class Counting(private val source: Source, parser: JsonParser, private val areItems: Boolean) :
-        JsonParserDelegate(parser) {
+    private class Counting(private val source: Source, parser: JsonParser) : JsonParserDelegate(parser) {
         override fun nextToken(): JsonToken? {
             source.step()
             val token = super.nextToken()
-            if (areItems && token == JsonToken.START_OBJECT) source.loading.items(source, 1)
+            if (token == JsonToken.START_OBJECT) source.loading.items(source, 1)
             return token
         }
     }

@@ -10,17 +10,32 @@ import java.io.ByteArrayInputStream
 import java.io.InputStreamReader
 import java.nio.charset.CharacterCodingException
 
+/** An object in a tree of JSON. */
+internal class JsonMap : LinkedHashMap<String, Any?>() {
+    /** Returns the object at [key], or null. */
+    fun map(key: String): JsonMap? = this[key] as? JsonMap
+
+    /** Returns the list at [key], or null. */
+    fun list(key: String): JsonList? = this[key] as? JsonList
+
+    /** Returns the text, number, true or false at [key] as text, or null. */
+    fun text(key: String): String? = this[key].takeIf { it is String || it is Number || it is Boolean }?.toString()
+}
+
+/** A list in a tree of JSON. */
+internal class JsonList : ArrayList<Any?>()
+
 /** A number as the file writes it. */
 internal class JsonNumber(val text: String) {
     override fun toString(): String = text
 }
 
-/**
- * Parses a file to a tree: maps, lists, texts, [JsonNumber], booleans and nulls. Reports the place of every error. A
- * key that occurs twice in one object is an error.
- */
+/** Parses a file to a tree: [JsonMap], [JsonList], texts, numbers, booleans and nulls. */
 internal object JsonText {
-    /** Returns the only value in [source]. */
+    /**
+     * Returns the only value in [source], in which numbers are [JsonNumber]. Reports the place of every error. A key
+     * that occurs twice in one object is an error.
+     */
     fun parse(source: Source): Any? {
         val bytes = ByteArrayInputStream(source.bytes).also { if (hasMark(source.bytes)) it.skip(MARK.size.toLong()) }
         try {
@@ -53,28 +68,39 @@ internal object JsonText {
 
     private fun place(parser: JsonParser): String = JsonInput.place(parser.currentTokenLocation())
 
-    private fun value(source: Source, parser: JsonParser): Any? = when (parser.currentToken()) {
-        JsonToken.START_OBJECT -> {
-            val members = LinkedHashMap<String, Any?>()
-            while (parser.nextToken() == JsonToken.FIELD_NAME) {
-                val key = parser.currentName()
-                if (key in members) source.fail(place(parser), "key \"$key\" is given twice", "remove one")
-                parser.nextToken()
-                members[key] = value(source, parser)
-            }
-            members
-        }
-        JsonToken.START_ARRAY -> {
-            val items = ArrayList<Any?>()
-            while (parser.nextToken() != JsonToken.END_ARRAY) items.add(value(source, parser))
-            items
-        }
-        JsonToken.VALUE_STRING -> parser.text
-        JsonToken.VALUE_TRUE -> true
-        JsonToken.VALUE_FALSE -> false
-        JsonToken.VALUE_NULL -> null
-        else -> JsonNumber(parser.text)
+    private fun value(source: Source, parser: JsonParser): Any? = value(parser, { JsonNumber(parser.text) }) { key ->
+        source.fail(place(parser), "key \"$key\" is given twice", "remove one")
     }
+
+    /**
+     * Returns the value at the current token of [parser].
+     *
+     * @param number returns the value of a number, which is the current token
+     * @param repeated called with a key that its object has already; the last value stays
+     */
+    fun value(parser: JsonParser, number: () -> Any, repeated: (key: String) -> Unit): Any? =
+        when (parser.currentToken()) {
+            JsonToken.START_OBJECT -> {
+                val members = JsonMap()
+                while (parser.nextToken() == JsonToken.FIELD_NAME) {
+                    val key = parser.currentName()
+                    if (key in members) repeated(key)
+                    parser.nextToken()
+                    members[key] = value(parser, number, repeated)
+                }
+                members
+            }
+            JsonToken.START_ARRAY -> {
+                val items = JsonList()
+                while (parser.nextToken() != JsonToken.END_ARRAY) items.add(value(parser, number, repeated))
+                items
+            }
+            JsonToken.VALUE_STRING -> parser.text
+            JsonToken.VALUE_TRUE -> true
+            JsonToken.VALUE_FALSE -> false
+            JsonToken.VALUE_NULL -> null
+            else -> number()
+        }
 
     private fun hasMark(bytes: ByteArray): Boolean =
         bytes.size >= MARK.size && MARK.indices.all { bytes[it] == MARK[it] }

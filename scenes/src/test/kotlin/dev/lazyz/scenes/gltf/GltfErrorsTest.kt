@@ -84,11 +84,11 @@ class GltfErrorsTest {
 
     @Test
     fun valuesThatAreOnlyNotAllowedArePassedOver() {
-        val cameras = """"cameras":[{"type":"odd"},{"type":"even"},{"type":"odd"}]"""
-        val source = TestSources.of(files().json("$mesh,$cameras"))
+        val materials = """"materials":[{"alphaMode":"odd"},{"alphaMode":"even"},{"alphaMode":"odd"}]"""
+        val source = TestSources.of(files().json("$mesh,$materials"))
         assertEquals(1, GltfParser.parse(source).surfaces.size)
-        val expected = "test: cameras.type is passed over: 3 " +
-            "(Invalid value for type: odd, valid: [perspective, orthographic])"
+        val expected = "test: materials.alphaMode is passed over: 3 " +
+            "(Invalid value for alphaMode: odd, valid: [OPAQUE, MASK, BLEND])"
         assertEquals(listOf(expected), source.warnings)
         assertFails(changed("\"count\":3", "\"count\":0"), "accessors[0].count", "missing or not allowed")
     }

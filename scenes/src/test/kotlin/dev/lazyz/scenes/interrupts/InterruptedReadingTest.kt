@@ -73,7 +73,7 @@ class InterruptedReadingTest {
         @JvmStatic
         fun inputs(): List<LongInput> = LongInputs.all
 
-        /** Before times are measured, the classes of readers are loaded, and Jackson has looked at those of jgltf. */
+        /** Before times are measured, the classes of readers are loaded. */
         @JvmStatic
         @BeforeAll
         fun loadClasses() {

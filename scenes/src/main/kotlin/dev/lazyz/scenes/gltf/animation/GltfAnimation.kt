@@ -1,11 +1,11 @@
 package dev.lazyz.scenes.gltf.animation
 
-import de.javagl.jgltf.impl.v2.Animation
-import de.javagl.jgltf.impl.v2.AnimationChannel
-import de.javagl.jgltf.impl.v2.AnimationSampler
-import de.javagl.jgltf.model.ElementType
+import dev.lazyz.scenes.gltf.document.AnimationJson
+import dev.lazyz.scenes.gltf.document.ChannelJson
+import dev.lazyz.scenes.gltf.document.ElementType
 import dev.lazyz.scenes.gltf.document.GltfAccessors
 import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.document.KeyframesJson
 
 /** The first animation of the file at one moment (section 3.11). Channels that do not target nodes are ignored. */
 internal class GltfAnimation(private val document: GltfDocument, private val accessors: GltfAccessors) {
@@ -14,7 +14,7 @@ internal class GltfAnimation(private val document: GltfDocument, private val acc
      * [time] is null.
      */
     fun poses(time: Double?): Map<Int, NodePose> {
-        val animations: List<Animation?> = document.json.animations.orEmpty()
+        val animations = document.json.animations
         if (time == null) {
             if (animations.isNotEmpty()) document.warn("animations are not applied: ${animations.size}; $HINT")
             return emptyMap()
@@ -26,17 +26,17 @@ internal class GltfAnimation(private val document: GltfDocument, private val acc
         if (animations.size > 1) document.warn("only the first of ${animations.size} animations is applied")
         val animation = document.element(animations, 0, "animations", "animations[0]")
         val poses = HashMap<Int, NodePose>()
-        val channels: List<AnimationChannel?> = animation.channels.orEmpty()
-        for (i in channels.indices) {
+        for (i in animation.channels.indices) {
             val where = "animations[0].channels[$i]"
-            apply(document.element(channels, i, "animations[0].channels", where), animation, where, time, poses)
+            val channel = document.element(animation.channels, i, "animations[0].channels", where)
+            apply(channel, animation, where, time, poses)
         }
         return poses
     }
 
     private fun apply(
-        channel: AnimationChannel,
-        animation: Animation,
+        channel: ChannelJson,
+        animation: AnimationJson,
         where: String,
         time: Double,
         poses: MutableMap<Int, NodePose>,
@@ -54,18 +54,17 @@ internal class GltfAnimation(private val document: GltfDocument, private val acc
             "rotation" -> pose.rotation = keyframes(sampler, here, ElementType.VEC4, 4).rotationAt(time)
             "weights" -> {
                 val mesh = document.element(document.json.meshes, node.mesh, "meshes", "nodes[$index].mesh")
-                val width = mesh.primitives?.firstOrNull()?.targets.orEmpty().size
+                val width = mesh.primitives.firstOrNull()?.targets.orEmpty().size
                 pose.weights = keyframes(sampler, here, ElementType.SCALAR, width).at(time)
             }
             else -> document.count("channels of an animation that move no node are passed over")
         }
     }
 
-    private fun keyframes(sampler: AnimationSampler, where: String, type: ElementType, width: Int): Keyframes {
+    private fun keyframes(sampler: KeyframesJson, where: String, type: ElementType, width: Int): Keyframes {
         val times = accessors.floats(sampler.input, "$where.input", ElementType.SCALAR)
         val values = accessors.floats(sampler.output, "$where.output", type)
-        val interpolation =
-            Interpolation.entries.firstOrNull { it.name == sampler.interpolation } ?: Interpolation.LINEAR
+        val interpolation = sampler.interpolation?.let(Interpolation::valueOf) ?: Interpolation.LINEAR
         val expected = times.size.toLong() * width * interpolation.valuesPerKey
         if (times.isEmpty() || expected != values.size.toLong()) {
             document.fail(where, "there are ${values.size} numbers for ${times.size} moments, not $expected")

@@ -1,12 +1,8 @@
 package dev.lazyz.scenes.gltf.document
 
-import de.javagl.jgltf.impl.v2.GlTFProperty
 
-/** Access to the values of extensions, which jgltf stores as nested maps. */
+/** Access to the values of extensions, which are nested maps. */
 internal object ExtensionValues {
-    /** Returns the object of the extension [name] on [property], or null. */
-    fun of(property: GlTFProperty?, name: String): Map<*, *>? = property?.extensions?.get(name) as? Map<*, *>
-
     /** Returns a number in an extension's object, or [missing] if there is no finite number. */
     fun number(extension: Map<*, *>, name: String, missing: Double): Double =
         (extension[name] as? Number)?.toDouble()?.takeIf { it.isFinite() } ?: missing

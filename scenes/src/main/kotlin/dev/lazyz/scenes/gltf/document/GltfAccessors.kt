@@ -1,9 +1,5 @@
 package dev.lazyz.scenes.gltf.document
 
-import de.javagl.jgltf.impl.v2.Accessor
-import de.javagl.jgltf.impl.v2.AccessorSparse
-import de.javagl.jgltf.model.ElementType
-import de.javagl.jgltf.model.GltfConstants
 
 /**
  * Reads accessors (section 3.6.2) into arrays. Each accessor is read once.
@@ -27,7 +23,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         if (type !in types) {
             document.fail("accessors[$index].type", "$where needs ${types.joinToString(" or ")}, not $type")
         }
-        val isFraction = areFractions || accessor.isNormalized == true
+        val isFraction = areFractions || accessor.normalized == true
         return floats.getOrPut(checkNotNull(index) to isFraction) { read(accessor, index, type, isFraction) }
     }
 
@@ -38,7 +34,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         val accessor = document.element(document.json.accessors, index, "accessors", where)
         val here = "accessors[$index]"
         if (type(accessor, index) != ElementType.SCALAR) document.fail("$here.type", "$where needs SCALAR")
-        if (accessor.componentType == GltfConstants.GL_FLOAT) {
+        if (accessor.componentType == ComponentType.FLOAT) {
             document.fail("$here.componentType", "$where needs whole numbers")
         }
         if (accessor.sparse != null) document.fail("$here.sparse", "vertex numbers must not be sparse")
@@ -46,7 +42,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         return data.wholes(count(accessor, here))
     }
 
-    private fun read(accessor: Accessor, index: Int, type: ElementType, isNormalized: Boolean): FloatArray {
+    private fun read(accessor: AccessorJson, index: Int, type: ElementType, isNormalized: Boolean): FloatArray {
         val width = type.numComponents
         val data = dense(accessor, index, type)
         val count = count(accessor, "accessors[$index]")
@@ -62,8 +58,8 @@ internal class GltfAccessors(private val document: GltfDocument) {
 
     /** Writes the sparse values into [result], at the positions that the sparse indices give. */
     private fun substitute(
-        sparse: AccessorSparse,
-        accessor: Accessor,
+        sparse: SparseJson,
+        accessor: AccessorJson,
         index: Int,
         type: ElementType,
         isNormalized: Boolean,
@@ -91,7 +87,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
     }
 
     /** Returns the numbers in the buffer view, or null if there is no buffer view, in which case all numbers are 0. */
-    private fun dense(accessor: Accessor, index: Int, type: ElementType): GltfNumbers? {
+    private fun dense(accessor: AccessorJson, index: Int, type: ElementType): GltfNumbers? {
         val here = "accessors[$index]"
         val count = count(accessor, here)
         if (accessor.bufferView == null) {
@@ -114,7 +110,7 @@ internal class GltfAccessors(private val document: GltfDocument) {
         byteStride: Int? = null,
     ): GltfNumbers {
         val bytes = document.view(view, "$where.bufferView")
-        val componentSize = GltfNumbers.sizeOf(componentType)
+        val componentSize = ComponentType.sizeOf(componentType)
             ?: document.fail("$where.componentType", "$componentType is not a component type")
         val offset = byteOffset ?: 0
         val size = type.numComponents * componentSize
@@ -126,14 +122,14 @@ internal class GltfAccessors(private val document: GltfDocument) {
         return GltfNumbers(bytes, componentType, componentSize, offset, stride)
     }
 
-    private fun count(accessor: Accessor, here: String): Int =
+    private fun count(accessor: AccessorJson, here: String): Int =
         accessor.count?.takeIf { it >= 0 } ?: document.fail("$here.count", "it is missing or not allowed")
 
-    private fun componentType(accessor: Accessor, index: Int): Int =
+    private fun componentType(accessor: AccessorJson, index: Int): Int =
         accessor.componentType ?: document.fail("accessors[$index].componentType", "it is missing")
 
-    private fun type(accessor: Accessor, index: Int?): ElementType =
-        ElementType.forString(accessor.type)
+    private fun type(accessor: AccessorJson, index: Int?): ElementType =
+        accessor.type?.let(ElementType::valueOf)
             ?: document.fail("accessors[$index].type", "${accessor.type} is not an element type")
 
     private companion object {

@@ -1,6 +1,5 @@
 package dev.lazyz.scenes.gltf.document
 
-import de.javagl.jgltf.impl.v2.BufferView
 import dev.lazyz.scenes.gltf.meshopt.MeshoptData
 import dev.lazyz.scenes.gltf.meshopt.MeshoptException
 import java.nio.ByteBuffer
@@ -14,15 +13,15 @@ internal class GltfCompressedViews(private val document: GltfDocument) {
     private val views = HashMap<Int, ByteBuffer>()
 
     /** Returns the decoded content of a compressed buffer view, or null if the view is not compressed. */
-    fun view(view: BufferView, index: Int): ByteBuffer? {
-        val name = NAMES.firstOrNull { ExtensionValues.of(view, it) != null } ?: return null
+    fun view(view: BufferViewJson, index: Int): ByteBuffer? {
+        val name = NAMES.firstOrNull { view.extension(it) != null } ?: return null
         val elements = views.getOrPut(index) {
-            decode(view, index, checkNotNull(ExtensionValues.of(view, name)), "bufferViews[$index].extensions.$name")
+            decode(view, index, checkNotNull(view.extension(name)), "bufferViews[$index].extensions.$name")
         }
         return elements.duplicate().order(ByteOrder.LITTLE_ENDIAN)
     }
 
-    private fun decode(view: BufferView, index: Int, json: Map<*, *>, where: String): ByteBuffer {
+    private fun decode(view: BufferViewJson, index: Int, json: Map<*, *>, where: String): ByteBuffer {
         val bytes = document.bytes(
             whole(json, "buffer", where, null),
             whole(json, "byteOffset", where, 0),

@@ -6,8 +6,7 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /**
- * Opens a glTF file in JSON or binary form and finds the JSON text and the binary chunk (section 4). The chunks are
- * read here because jgltf's reader does not terminate on a chunk of negative length.
+ * Opens a glTF file in JSON or binary form and finds the JSON text and the binary chunk (section 4).
  */
 internal object GltfContainer {
     private const val MAGIC = 0x46546C67

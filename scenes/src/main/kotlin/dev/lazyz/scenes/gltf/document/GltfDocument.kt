@@ -1,6 +1,5 @@
 package dev.lazyz.scenes.gltf.document
 
-import de.javagl.jgltf.impl.v2.GlTF
 import dev.lazyz.scenes.loading.FileReferences
 import dev.lazyz.scenes.loading.Source
 import java.net.URLDecoder
@@ -12,9 +11,9 @@ import java.util.Base64
  * An opened glTF file: its JSON, and the bytes that the JSON refers to. Not thread safe.
  *
  * @property source the file, for warnings, errors and the folder of referenced files
- * @property json the JSON as jgltf's classes; any value in it may be missing
+ * @property json the JSON; any value in it may be missing
  */
-internal class GltfDocument(val source: Source, val json: GlTF, private val binary: ByteBuffer?) {
+internal class GltfDocument(val source: Source, val json: ModelJson, private val binary: ByteBuffer?) {
     private val buffers = HashMap<Int, ByteBuffer>()
     private val compressed = GltfCompressedViews(this)
     private val counted = CountedWarnings(source)
@@ -23,12 +22,12 @@ internal class GltfDocument(val source: Source, val json: GlTF, private val bina
      * Returns `list[index]`, or fails if it does not exist. [where] is the place that refers to it, and [name] the name
      * of the list.
      */
-    fun <T : Any> element(list: List<T?>?, index: Int?, name: String, where: String): T {
-        val count = list?.size ?: 0
+    fun <T : Any> element(list: List<T?>, index: Int?, name: String, where: String): T {
+        val count = list.size
         if (index == null || index !in 0 until count) {
             fail(where, if (index == null) "it is missing" else "$name[$index] does not exist; there are $count")
         }
-        return list?.get(index) ?: fail("$name[$index]", "it is null")
+        return list[index] ?: fail("$name[$index]", "it is null")
     }
 
     /** Returns the bytes of a buffer view, little endian. [where] is the place that refers to it. */

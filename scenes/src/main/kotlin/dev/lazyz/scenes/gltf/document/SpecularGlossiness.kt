@@ -1,8 +1,7 @@
 package dev.lazyz.scenes.gltf.document
 
-import com.fasterxml.jackson.databind.JsonNode
-import com.fasterxml.jackson.databind.node.JsonNodeFactory
-import com.fasterxml.jackson.databind.node.ObjectNode
+import dev.lazyz.scenes.json.JsonList
+import dev.lazyz.scenes.json.JsonMap
 
 /**
  * Converts materials of `KHR_materials_pbrSpecularGlossiness` to metallic-roughness materials, in the JSON.
@@ -24,31 +23,33 @@ internal object SpecularGlossiness {
     private const val EPSILON = 1e-6
 
     /** Converts the materials in [tree], the JSON of a file. */
-    fun convert(tree: JsonNode, warnings: CountedWarnings) {
-        for (material in tree.path("materials")) {
+    fun convert(tree: JsonMap, warnings: CountedWarnings) {
+        for (material in tree.list("materials").orEmpty()) {
             warnings.source.step()
-            val old = material.path("extensions").path(NAME)
-            if (material !is ObjectNode || old !is ObjectNode) continue
-            val isTextured = old.has(TEXTURE)
-            if (isTextured && material.path(METALLIC_ROUGHNESS).has("metallicRoughnessTexture")) continue
+            if (material !is JsonMap) continue
+            val old = material.map("extensions")?.map(NAME) ?: continue
+            val isTextured = TEXTURE in old
+            val metallicRoughness = material.map(METALLIC_ROUGHNESS)
+            if (isTextured && metallicRoughness != null && "metallicRoughnessTexture" in metallicRoughness) continue
             if (isTextured) warnings.count("textures of specular colour and glossiness are passed over")
-            material.set<JsonNode>(METALLIC_ROUGHNESS, converted(old))
+            material[METALLIC_ROUGHNESS] = converted(old)
         }
     }
 
-    private fun converted(old: ObjectNode): ObjectNode {
-        val new = JsonNodeFactory.instance.objectNode()
-        val diffuse = fractions(old.path("diffuseFactor"), 4)
-        val glossiness = fraction(old.path("glossinessFactor")) * (if (old.has(TEXTURE)) 0.5 else 1.0)
-        new.put("roughnessFactor", 1.0 - glossiness)
-        old["diffuseTexture"]?.let { new.set<JsonNode>("baseColorTexture", it.deepCopy()) }
-        val isDielectric = old.has(TEXTURE) || old.has("diffuseTexture")
-        val specular = if (isDielectric) DoubleArray(3) else fractions(old.path("specularFactor"), 3)
+    private fun converted(old: JsonMap): JsonMap {
+        val new = JsonMap()
+        val diffuse = fractions(old["diffuseFactor"], 4)
+        val glossiness = fraction(old["glossinessFactor"]) * (if (TEXTURE in old) 0.5 else 1.0)
+        new["roughnessFactor"] = 1.0 - glossiness
+        old["diffuseTexture"]?.let { new["baseColorTexture"] = it }
+        val isDielectric = TEXTURE in old || "diffuseTexture" in old
+        val specular = if (isDielectric) DoubleArray(3) else fractions(old["specularFactor"], 3)
         val metallic = if (isDielectric) 0.0 else metallic(diffuse, specular)
-        new.put("metallicFactor", metallic)
-        val base = new.putArray("baseColorFactor")
+        new["metallicFactor"] = metallic
+        val base = JsonList()
         for (i in 0 until 3) base.add(if (isDielectric) diffuse[i] else base(diffuse[i], specular, i, metallic))
         base.add(diffuse[3])
+        new["baseColorFactor"] = base
         return new
     }
 
@@ -75,7 +76,7 @@ internal object SpecularGlossiness {
         return StrictMath.sqrt(0.299 * red * red + 0.587 * green * green + 0.114 * blue * blue)
     }
 
-    private fun fractions(json: JsonNode, size: Int) = DoubleArray(size) { fraction(json.path(it)) }
+    private fun fractions(json: Any?, size: Int) = DoubleArray(size) { fraction((json as? List<*>)?.getOrNull(it)) }
 
-    private fun fraction(json: JsonNode): Double = json.asDouble(1.0).coerceIn(0.0, 1.0)
+    private fun fraction(json: Any?): Double = ((json as? Number)?.toDouble() ?: 1.0).coerceIn(0.0, 1.0)
 }

@@ -1,8 +1,7 @@
 package dev.lazyz.scenes.gltf.geometry
 
-import de.javagl.jgltf.model.ElementType
 import dev.lazyz.geometry.Transforms
-import dev.lazyz.scenes.gltf.document.ExtensionValues
+import dev.lazyz.scenes.gltf.document.ElementType
 import dev.lazyz.scenes.gltf.document.GltfAccessors
 import dev.lazyz.scenes.gltf.document.GltfDocument
 
@@ -13,7 +12,7 @@ import dev.lazyz.scenes.gltf.document.GltfDocument
 internal class GltfInstances(private val document: GltfDocument, private val accessors: GltfAccessors) {
     /** Returns [placed] once for each instance of its mesh, or [placed] itself if the node has no instances. */
     fun of(placed: PlacedNode): List<PlacedNode> {
-        val extension = ExtensionValues.of(placed.node, NAME) ?: return listOf(placed)
+        val extension = placed.node.extension(NAME) ?: return listOf(placed)
         val attributes = extension["attributes"] as? Map<*, *> ?: return listOf(placed)
         val where = "nodes[${placed.index}].extensions.$NAME.attributes"
         val used = types.filterKeys { it in attributes }.mapValues { (name, type) ->

@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.gltf.geometry
 
-import de.javagl.jgltf.impl.v2.Mesh as MeshJson
-import de.javagl.jgltf.impl.v2.MeshPrimitive
-import de.javagl.jgltf.model.ElementType
+import dev.lazyz.scenes.gltf.document.ElementType
 import dev.lazyz.scenes.gltf.document.GltfAccessors
 import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.document.MeshJson
+import dev.lazyz.scenes.gltf.document.PrimitiveJson
 import dev.lazyz.scenes.gltf.materials.GltfMaterials
 import dev.lazyz.scenes.loading.PartNames
 import dev.lazyz.scenes.meshes.MissingNormals
@@ -32,10 +32,9 @@ internal class GltfMeshes(
         val index = placed.node.mesh ?: return emptyList()
         val mesh = document.element(document.json.meshes, index, "meshes", "nodes[${placed.index}].mesh")
         val own = meshes.getOrPut(index) {
-            val primitives: List<MeshPrimitive?> = mesh.primitives.orEmpty()
-            primitives.indices.mapNotNull { i ->
+            mesh.primitives.indices.mapNotNull { i ->
                 val where = "meshes[$index].primitives[$i]"
-                val primitive = document.element(primitives, i, "meshes[$index].primitives", where)
+                val primitive = document.element(mesh.primitives, i, "meshes[$index].primitives", where)
                 val vertices = GltfVertices(document, accessors, primitive, where)
                 primitive(primitive, vertices, where)?.let { GltfPart(it, primitive, vertices, where) }
             }
@@ -64,9 +63,8 @@ internal class GltfMeshes(
         if (surface is Lines) source.loading.segments(source, more * surface.segmentCount)
     }
 
-    private fun primitive(primitive: MeshPrimitive, vertices: GltfVertices, where: String): Surface? {
+    private fun primitive(primitive: PrimitiveJson, vertices: GltfVertices, where: String): Surface? {
         val mode = primitive.mode ?: GltfTriangles.TRIANGLES
-        if (mode !in GltfPoints.POINTS..GltfTriangles.FAN) document.fail("$where.mode", "there is no mode $mode")
         val positions = vertices.floats("POSITION", ElementType.VEC3)
         if (positions == null) {
             document.warn(where, ": there are no positions, so nothing of it is drawn")

@@ -1,10 +1,9 @@
 package dev.lazyz.scenes.gltf.geometry
 
-import de.javagl.jgltf.impl.v2.Node
 import dev.lazyz.geometry.Transforms
 import dev.lazyz.scenes.gltf.animation.NodePose
-import dev.lazyz.scenes.gltf.document.ExtensionValues
 import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.document.NodeJson
 import dev.lazyz.scenes.loading.PartNames
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
@@ -19,7 +18,7 @@ import org.joml.Matrix4dc
  * @property isVisible whether its mesh and its light are shown, by `KHR_node_visibility` of the node and its ancestors
  */
 internal class PlacedNode(
-    val node: Node,
+    val node: NodeJson,
     val index: Int,
     val toWorld: Matrix4dc,
     val path: String,
@@ -28,7 +27,7 @@ internal class PlacedNode(
 
 /** Walks the nodes of the default scene (section 3.5). */
 internal class GltfNodes(private val document: GltfDocument, private val poses: Map<Int, NodePose>) {
-    private val nodes: List<Node?> = document.json.nodes.orEmpty()
+    private val nodes = document.json.nodes
     private val rootToWorld = RelativeToCenter.toWorld(document)
     private val toWorld = HashMap<Int, Matrix4d>()
     private val parents: Map<Int, Int> by lazy {
@@ -66,7 +65,7 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
             this.toWorld[next.index] = toWorld
             val path = PartNames.path(next.above, node.name)
             document.source.loading.decode(document.source, PartNames.bytes(path))
-            val isVisible = next.isVisible && ExtensionValues.of(node, VISIBILITY)?.get("visible") != false
+            val isVisible = next.isVisible && node.extension(VISIBILITY)?.get("visible") != false
             placed.add(PlacedNode(node, next.index, toWorld, path, isVisible))
             val children = children(node)
             for (i in children.indices.reversed()) {
@@ -104,8 +103,7 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
         val index = document.json.scene
         if (index != null) {
             val scene = document.element(document.json.scenes, index, "scenes", "scene")
-            val numbers: List<Int?> = scene.nodes.orEmpty()
-            return numbers.mapIndexed { i, node ->
+            return scene.nodes.mapIndexed { i, node ->
                 document.source.step()
                 Pair(node ?: -1, "scenes[$index].nodes[$i]")
             }
@@ -121,7 +119,7 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
         }
     }
 
-    private fun children(node: Node?): List<Int?> = node?.children.orEmpty()
+    private fun children(node: NodeJson?): List<Int?> = node?.children.orEmpty()
 
     companion object {
         /** The extension that hides nodes with their descendants. */

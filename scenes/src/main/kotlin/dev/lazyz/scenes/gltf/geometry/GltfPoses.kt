@@ -1,14 +1,14 @@
 package dev.lazyz.scenes.gltf.geometry
 
-import de.javagl.jgltf.impl.v2.Mesh as MeshJson
-import de.javagl.jgltf.impl.v2.MeshPrimitive
-import de.javagl.jgltf.model.ElementType
 import dev.lazyz.scenes.gltf.animation.JointWeights
 import dev.lazyz.scenes.gltf.animation.MeshDeformation
 import dev.lazyz.scenes.gltf.animation.MorphTarget
 import dev.lazyz.scenes.gltf.animation.NodePose
+import dev.lazyz.scenes.gltf.document.ElementType
 import dev.lazyz.scenes.gltf.document.GltfAccessors
 import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.document.MeshJson
+import dev.lazyz.scenes.gltf.document.PrimitiveJson
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
@@ -23,7 +23,7 @@ import dev.lazyz.world.surface.Surface
  */
 internal class GltfPart(
     val surface: Surface,
-    val primitive: MeshPrimitive,
+    val primitive: PrimitiveJson,
     val vertices: GltfVertices,
     val where: String,
 ) {
@@ -65,7 +65,7 @@ internal class GltfPoses(
 
     /** Returns points or lines moved by the node's transform. Skins and morph targets are not applied to them. */
     private fun moved(part: GltfPart, placed: PlacedNode): Surface {
-        if (placed.node.skin != null || !part.primitive.targets.isNullOrEmpty()) {
+        if (placed.node.skin != null || part.primitive.targets.isNotEmpty()) {
             document.count("skins and morph targets of points and lines are not applied")
         }
         val surface = part.surface
@@ -85,9 +85,9 @@ internal class GltfPoses(
         document.source.loading.vertices(document.source, part.mesh.vertexCount.toLong())
 
     private fun morphed(part: GltfPart, json: MeshJson, placed: PlacedNode): Mesh {
-        val targets: List<Map<String, Int?>?> = part.primitive.targets.orEmpty()
+        val targets = part.primitive.targets
         val animated = poses[placed.index]?.weights
-        val stored: List<Float?>? = placed.node.weights ?: json.weights
+        val stored = placed.node.weights ?: json.weights
         val weights = DoubleArray(targets.size) { animated?.getOrNull(it) ?: stored?.getOrNull(it)?.toDouble() ?: 0.0 }
         if (weights.all { it == 0.0 }) return part.mesh
         copied(part)

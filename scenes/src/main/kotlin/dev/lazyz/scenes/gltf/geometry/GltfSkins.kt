@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.gltf.geometry
 
-import de.javagl.jgltf.model.ElementType
 import dev.lazyz.geometry.Transforms
+import dev.lazyz.scenes.gltf.document.ElementType
 import dev.lazyz.scenes.gltf.document.GltfAccessors
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import org.joml.Matrix4d
@@ -22,7 +22,7 @@ internal class GltfSkins(
         val skin = document.element(document.json.skins, index, "skins", where)
         val here = "skins[$index]"
         return skins.getOrPut(index) {
-            val joints: List<Int?> = skin.joints.orEmpty()
+            val joints = skin.joints
             val inverses = skin.inverseBindMatrices?.let {
                 accessors.floats(it, "$here.inverseBindMatrices", ElementType.MAT4)
             }

@@ -1,12 +1,11 @@
 package dev.lazyz.scenes.gltf.geometry
 
-import de.javagl.jgltf.impl.v2.Accessor
-import de.javagl.jgltf.impl.v2.MeshPrimitive
-import de.javagl.jgltf.model.ElementType
-import de.javagl.jgltf.model.GltfConstants
-import dev.lazyz.scenes.gltf.document.ExtensionValues
+import dev.lazyz.scenes.gltf.document.AccessorJson
+import dev.lazyz.scenes.gltf.document.ComponentType
+import dev.lazyz.scenes.gltf.document.ElementType
 import dev.lazyz.scenes.gltf.document.GltfAccessors
 import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.document.PrimitiveJson
 import dev.lazyz.scenes.gltf.draco.DracoException
 import dev.lazyz.scenes.gltf.draco.DracoGeometry
 
@@ -16,11 +15,11 @@ import dev.lazyz.scenes.gltf.draco.DracoGeometry
 internal class GltfVertices(
     private val document: GltfDocument,
     private val accessors: GltfAccessors,
-    private val primitive: MeshPrimitive,
+    private val primitive: PrimitiveJson,
     private val where: String,
 ) {
-    private val attributes: Map<String, Int?> = primitive.attributes.orEmpty()
-    private val draco = ExtensionValues.of(primitive, DRACO)
+    private val attributes = primitive.attributes
+    private val draco = primitive.extension(DRACO)
     private val dracoIds = (draco?.get("attributes") as? Map<*, *>).orEmpty()
     private val dracoWhere = "$where.extensions.$DRACO"
     private val geometry: DracoGeometry? by lazy { draco?.let(::decode) }
@@ -35,7 +34,7 @@ internal class GltfVertices(
         val id = dracoIds[name] as? Int
         val decoded = (if (id == null) null else geometry)
             ?: return accessors.floats(index, here, *types, areFractions = areFractions)
-        val isFraction = areFractions || accessor(name).isNormalized == true
+        val isFraction = areFractions || accessor(name).normalized == true
         val numbers = decoding { decoded.floats(checkNotNull(id), isFraction) }
         if (numbers == null || types.none { it.numComponents * decoded.vertexCount == numbers.size }) {
             document.fail("$dracoWhere.attributes.$name", "the compressed data has no attribute $id of this kind")
@@ -50,17 +49,17 @@ internal class GltfVertices(
     fun colors(count: Int): FloatArray? {
         val numbers = floats(COLORS, ElementType.VEC3, ElementType.VEC4, areFractions = true) ?: return null
         val accessor = accessor(COLORS)
-        if (accessor.isNormalized != true && accessor.componentType != GltfConstants.GL_FLOAT) {
+        if (accessor.normalized != true && accessor.componentType != ComponentType.FLOAT) {
             document.count("colours of integers that are not marked as normalized are read as if they were")
         }
-        val elements = geometry?.takeIf { COLORS in dracoIds }?.vertexCount ?: accessor.count
+        val elements = geometry?.takeIf { COLORS in dracoIds }?.vertexCount ?: accessor.count ?: 0
         val width = if (elements > 0) numbers.size / elements else 4
         checkCount(numbers, width, count, "$where.attributes.$COLORS")
         if (width == 4) return numbers
         return FloatArray(4 * count) { if (it % 4 == 3) 1f else numbers[it / 4 * 3 + it % 4] }
     }
 
-    private fun accessor(attribute: String): Accessor = document.element(
+    private fun accessor(attribute: String): AccessorJson = document.element(
         document.json.accessors, attributes[attribute], "accessors", "$where.attributes.$attribute",
     )
 

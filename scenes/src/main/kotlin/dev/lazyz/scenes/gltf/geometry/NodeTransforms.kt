@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.gltf.geometry
 
-import de.javagl.jgltf.impl.v2.Node
 import dev.lazyz.scenes.gltf.animation.NodePose
+import dev.lazyz.scenes.gltf.document.NodeJson
 import org.joml.Matrix4d
 import org.joml.Matrix4dc
 
@@ -14,7 +14,7 @@ internal object NodeTransforms {
      * Returns the transform from a node's space to its parent's: its matrix, or the product of translation, rotation
      * and scale. Values in [pose] replace those of the node.
      */
-    fun of(node: Node, pose: NodePose?): Matrix4d {
+    fun of(node: NodeJson, pose: NodePose?): Matrix4d {
         val m = node.matrix
         if (m != null && pose?.isMoved != true) {
             // The fourth row is 0, 0, 0, 1 in every transform that the specification allows

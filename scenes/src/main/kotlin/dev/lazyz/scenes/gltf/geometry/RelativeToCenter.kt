@@ -1,6 +1,5 @@
 package dev.lazyz.scenes.gltf.geometry
 
-import dev.lazyz.scenes.gltf.document.ExtensionValues
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import org.joml.Matrix4d
 
@@ -10,7 +9,7 @@ internal object RelativeToCenter {
 
     /** Returns the transform from the model's space to world space: a translation, the identity without [NAME]. */
     fun toWorld(document: GltfDocument): Matrix4d {
-        val extension = ExtensionValues.of(document.json, NAME) ?: return Matrix4d()
+        val extension = document.json.extension(NAME) ?: return Matrix4d()
         val center = (extension["center"] as? List<*>).orEmpty().mapNotNull { (it as? Number)?.toDouble() }
         if (center.size != 3 || !center.all { it.isFinite() }) {
             document.fail("extensions.$NAME.center", "it must be three numbers")

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.gltf.materials
 
-import de.javagl.jgltf.impl.v2.TextureInfo
 import dev.lazyz.scenes.gltf.document.ExtensionValues
 import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.document.TextureInfoJson
 import dev.lazyz.world.material.TextureEncoding
 import dev.lazyz.world.material.TextureMap
 import dev.lazyz.world.material.UvTransform
@@ -18,9 +18,9 @@ internal class GltfMaps(private val document: GltfDocument, private val textures
     val texCoordSets: List<Int> get() = sets.ifEmpty { listOf(0) }
 
     /** Returns the map that [info] describes, or null if there is none. [where] is its place in the file. */
-    fun map(info: TextureInfo?, encoding: TextureEncoding, where: String): TextureMap? {
+    fun map(info: TextureInfoJson?, encoding: TextureEncoding, where: String): TextureMap? {
         if (info == null) return null
-        val extension = ExtensionValues.of(info, "KHR_texture_transform")
+        val extension = info.extension("KHR_texture_transform")
         val set = (extension?.get("texCoord") as? Number)?.toInt() ?: info.texCoord ?: 0
         if (set !in sets) {
             if (sets.size == 2) {

@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.gltf.materials
 
-import de.javagl.jgltf.impl.v2.Material as MaterialJson
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.gltf.document.ExtensionValues
 import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.document.MaterialJson
 import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MetallicRoughness
@@ -44,7 +44,7 @@ internal class GltfMaterials(private val document: GltfDocument) {
      * place that refers to it.
      */
     fun material(index: Int?, where: String): GltfMaterial {
-        if (index == null) return materials.getOrPut(null) { read(MaterialJson(), "") }
+        if (index == null) return materials.getOrPut(null) { read(MaterialJson(null), "") }
         val json = document.element(document.json.materials, index, "materials", where)
         return materials.getOrPut(index) { read(json, "materials[$index]") }
     }
@@ -55,18 +55,18 @@ internal class GltfMaterials(private val document: GltfDocument) {
         val here = "$where.pbrMetallicRoughness"
         val base = color(pbr?.baseColorFactor, Rgba.WHITE)
         val baseMap = maps.map(pbr?.baseColorTexture, TextureEncoding.SRGB, "$here.baseColorTexture")
-        val roughness = fraction(pbr?.roughnessFactor, 1f)
-        val metallic = fraction(pbr?.metallicFactor, 1f)
+        val roughness = pbr?.roughnessFactor ?: 1f
+        val metallic = pbr?.metallicFactor ?: 1f
         val shininess = shininess(roughness)
-        val isUnlit = ExtensionValues.of(json, "KHR_materials_unlit") != null
+        val isUnlit = json.extension("KHR_materials_unlit") != null
         val plain = Material(
             baseColor = base,
             shading = if (isUnlit) Shading.CONSTANT else Shading.BLINN_PHONG,
             specular = specular(base, if (baseMap == null) metallic else 0f, roughness, shininess),
             shininess = shininess,
-            alphaMode = alphaMode(json, where),
-            alphaCutoff = fraction(json.alphaCutoff, 0.5f),
-            sides = if (json.isDoubleSided == true) Sides.BOTH else Sides.FRONT,
+            alphaMode = json.alphaMode?.let(AlphaMode::valueOf) ?: AlphaMode.OPAQUE,
+            alphaCutoff = json.alphaCutoff?.takeIf { it.isFinite() }?.let { minOf(it, 1f) } ?: 0.5f,
+            sides = if (json.doubleSided == true) Sides.BOTH else Sides.FRONT,
             name = json.name ?: "",
         ).withTextureMap(baseMap)
         if (isUnlit) return GltfMaterial(plain, maps.texCoordSets)
@@ -75,7 +75,7 @@ internal class GltfMaterials(private val document: GltfDocument) {
         val normalMap = maps.map(json.normalTexture, TextureEncoding.LINEAR, "$where.normalTexture")
         val normalScale = json.normalTexture?.scale?.takeIf { it.isFinite() } ?: 1f
         val occlusionMap = maps.map(json.occlusionTexture, TextureEncoding.LINEAR, "$where.occlusionTexture")
-        val occlusionStrength = fraction(json.occlusionTexture?.strength, 1f)
+        val occlusionStrength = json.occlusionTexture?.strength ?: 1f
         val emissionMap = maps.map(json.emissiveTexture, TextureEncoding.SRGB, "$where.emissiveTexture")
         val material = plain
             .withMetallicRoughness(MetallicRoughness(metallic, roughness, modelMap))
@@ -101,28 +101,12 @@ internal class GltfMaterials(private val document: GltfDocument) {
 
     private fun emission(json: MaterialJson): Rgba {
         val color = color(json.emissiveFactor, Rgba.BLACK)
-        val strength = ExtensionValues.of(json, "KHR_materials_emissive_strength") ?: return color
+        val strength = json.extension("KHR_materials_emissive_strength") ?: return color
         return color.scaled(ExtensionValues.number(strength, "emissiveStrength", 1.0).toFloat())
     }
 
-    private fun alphaMode(json: MaterialJson, where: String): AlphaMode = when (json.alphaMode) {
-        null, "OPAQUE" -> AlphaMode.OPAQUE
-        "MASK" -> AlphaMode.MASK
-        "BLEND" -> AlphaMode.BLEND
-        else -> AlphaMode.OPAQUE.also {
-            document.warn(where, ".alphaMode ${json.alphaMode} is unknown and taken as OPAQUE")
-        }
-    }
-
     private fun color(factors: FloatArray?, missing: Rgba): Rgba =
-        if (factors == null || factors.size < 3) {
-            missing
-        } else {
-            Rgba(factors[0], factors[1], factors[2], factors.getOrElse(3) { 1f })
-        }
-
-    private fun fraction(number: Float?, missing: Float): Float =
-        number?.takeIf { it.isFinite() }?.coerceIn(0f, 1f) ?: missing
+        if (factors == null) missing else Rgba(factors[0], factors[1], factors[2], factors.getOrElse(3) { 1f })
 
     private companion object {
         /** Reflectance of dielectrics such as glass and plastic, appendix B.2. */

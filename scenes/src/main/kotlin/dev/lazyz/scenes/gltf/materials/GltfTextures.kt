@@ -1,10 +1,9 @@
 package dev.lazyz.scenes.gltf.materials
 
-import de.javagl.jgltf.impl.v2.Image
-import de.javagl.jgltf.impl.v2.Texture as TextureJson
-import de.javagl.jgltf.model.GltfConstants
-import dev.lazyz.scenes.gltf.document.ExtensionValues
 import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.document.ImageJson
+import dev.lazyz.scenes.gltf.document.SamplerJson
+import dev.lazyz.scenes.gltf.document.TextureJson
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureEncoding
@@ -40,7 +39,7 @@ internal class GltfTextures(private val document: GltfDocument) {
         val decoded = images.getOrPut(image.bufferView ?: image.uri ?: image) { decode(image, source) } ?: return null
         if (texture.sampler == null) return decoded
         val sampler = document.element(document.json.samplers, texture.sampler, "samplers", "textures[$index].sampler")
-        val isNearest = sampler.magFilter == GltfConstants.GL_NEAREST
+        val isNearest = sampler.magFilter == SamplerJson.NEAREST
         return decoded.withSampling(
             if (isNearest) TextureFilter.NEAREST else TextureFilter.BILINEAR,
             wrap(sampler.wrapS),
@@ -53,7 +52,7 @@ internal class GltfTextures(private val document: GltfDocument) {
      * format.
      */
     private fun withoutImage(texture: TextureJson, index: Int): Texture? {
-        val extension = formats.keys.firstOrNull { ExtensionValues.of(texture, it) != null }
+        val extension = formats.keys.firstOrNull { texture.extension(it) != null }
         when {
             extension == null -> document.warn("textures[$index]", " has no image of a known kind and is left out")
             undecoded.add(index) ->
@@ -66,12 +65,12 @@ internal class GltfTextures(private val document: GltfDocument) {
     }
 
     private fun wrap(wrap: Int?): TextureWrap = when (wrap) {
-        GltfConstants.GL_CLAMP_TO_EDGE -> TextureWrap.CLAMP
-        GltfConstants.GL_MIRRORED_REPEAT -> TextureWrap.MIRROR
+        SamplerJson.CLAMP_TO_EDGE -> TextureWrap.CLAMP
+        SamplerJson.MIRRORED_REPEAT -> TextureWrap.MIRROR
         else -> TextureWrap.REPEAT
     }
 
-    private fun decode(image: Image, index: Int): Texture? {
+    private fun decode(image: ImageJson, index: Int): Texture? {
         val uri = image.uri?.takeIf { image.bufferView == null && !document.isData(it) }
         val label = listOfNotNull("images[$index]", (uri ?: image.name)?.let { "($it)" }).joinToString(" ")
         if (uri != null) return file(uri, label)
@@ -97,7 +96,7 @@ internal class GltfTextures(private val document: GltfDocument) {
     }
 
     /** Returns the bytes of an image that is stored in the model itself. */
-    private fun bytes(image: Image, index: Int): ByteArray? {
+    private fun bytes(image: ImageJson, index: Int): ByteArray? {
         if (image.bufferView == null) return image.uri?.let { document.data(it) }
         val view = document.view(image.bufferView, "images[$index].bufferView")
         return ByteArray(view.capacity()).also { view.get(it) }

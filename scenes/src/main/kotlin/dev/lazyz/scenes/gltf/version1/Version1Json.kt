@@ -1,9 +1,7 @@
 package dev.lazyz.scenes.gltf.version1
 
-import com.fasterxml.jackson.databind.JsonNode
-import com.fasterxml.jackson.databind.node.ArrayNode
-import com.fasterxml.jackson.databind.node.JsonNodeFactory
-import com.fasterxml.jackson.databind.node.ObjectNode
+import dev.lazyz.scenes.json.JsonList
+import dev.lazyz.scenes.json.JsonMap
 import dev.lazyz.scenes.loading.Source
 
 /**
@@ -15,128 +13,129 @@ import dev.lazyz.scenes.loading.Source
  */
 internal class Version1Json private constructor(
     private val source: Source,
-    private val old: JsonNode,
+    private val old: JsonMap,
     private val fail: (String, String) -> Nothing,
 ) {
-    private val new = JsonNodeFactory.instance.objectNode()
+    private val new = JsonMap()
     private val names = HashMap<String, Map<String, Int>>()
-    private val extraNodes = ArrayList<ObjectNode>()
+    private val extraNodes = ArrayList<JsonMap>()
 
-    private fun convert(): ObjectNode {
-        new.putObject("asset").put("version", "2.0")
+    private fun convert(): JsonMap {
+        new["asset"] = JsonMap().also { it["version"] = "2.0" }
         listOf("buffers", "bufferViews", "accessors", "images", "samplers", "textures", "materials").forEach(::number)
         listOf("meshes", "cameras", "nodes", "scenes").forEach(::number)
-        copies("buffers")
-        copies("bufferViews") { where, view -> refer(view, "buffer", "buffers", where) }
-        copies("accessors", ::accessor)
-        copies("images", ::image)
-        copies("samplers")
-        copies("textures") { where, texture ->
+        changeAll("buffers")
+        changeAll("bufferViews") { where, view -> refer(view, "buffer", "buffers", where) }
+        changeAll("accessors", ::accessor)
+        changeAll("images", ::image)
+        changeAll("samplers")
+        changeAll("textures") { where, texture ->
             refer(texture, "source", "images", where)
             refer(texture, "sampler", "samplers", where)
         }
         val materials = Version1Materials(old, names.getValue("textures"))
         for (name in names.getValue("materials").keys) {
             source.step()
-            list("materials").add(materials.convert(old.path("materials").path(name)))
+            list("materials").add(materials.convert(old.map("materials")?.map(name) ?: JsonMap()))
         }
-        copies("meshes", ::mesh)
-        copies("cameras")
-        copies("nodes", ::node)
-        extraNodes.forEach { list("nodes").add(it) }
-        copies("scenes") { where, scene -> refer(scene, "nodes", "nodes", where) }
-        old["scene"]?.let { new.put("scene", index(it, "scenes", "scene")) }
-        old.path("extensions")[RTC]?.let { new.putObject("extensions").set<JsonNode>(RTC, it) }
+        changeAll("meshes", ::mesh)
+        changeAll("cameras")
+        changeAll("nodes", ::node)
+        list("nodes").addAll(extraNodes)
+        changeAll("scenes") { where, scene -> refer(scene, "nodes", "nodes", where) }
+        old["scene"]?.let { new["scene"] = index(it, "scenes", "scene") }
+        old.map("extensions")?.get(RTC)?.let { rtc -> new["extensions"] = JsonMap().also { it[RTC] = rtc } }
         return new
     }
 
     /** Numbers the objects of a list. The data of a binary file comes first, as version 2.0 requires. */
     private fun number(list: String) {
-        val all = old.path(list)
+        val all = old.map(list).orEmpty()
         val numbers = LinkedHashMap<String, Int>()
-        if (all.has(BINARY)) numbers[BINARY] = 0
-        for (name in all.fieldNames()) {
+        if (BINARY in all) numbers[BINARY] = 0
+        for (name in all.keys) {
             source.step()
             numbers.putIfAbsent(name, numbers.size)
         }
         names[list] = numbers
     }
 
-    private fun list(name: String): ArrayNode = new.withArrayProperty(name)
+    private fun list(name: String): JsonList = new.list(name) ?: JsonList().also { new[name] = it }
 
-    private fun copies(name: String, change: (String, ObjectNode) -> Unit = { _, _ -> }) {
+    /** Moves the objects called [name] to their list, after [change]. */
+    private fun changeAll(name: String, change: (String, JsonMap) -> Unit = { _, _ -> }) {
         for (key in names.getValue(name).keys) {
             source.step()
             val where = "$name.$key"
-            val copy = old.path(name).path(key).deepCopy<JsonNode>()
-            if (copy !is ObjectNode) fail(where, "it is no JSON object")
-            change(where, copy)
-            list(name).add(copy)
+            val element = old.map(name)?.map(key) ?: fail(where, "it is no JSON object")
+            change(where, element)
+            list(name).add(element)
         }
     }
 
     /** Replaces the name or the list of names at [key] with numbers. */
-    private fun refer(owner: ObjectNode, key: String, list: String, where: String) {
+    private fun refer(owner: JsonMap, key: String, list: String, where: String) {
         val value = owner[key] ?: return
-        if (value is ArrayNode) {
-            for (i in 0 until value.size()) value.set(i, index(value[i], list, "$where.$key[$i]"))
+        if (value is JsonList) {
+            for (i in value.indices) value[i] = index(value[i], list, "$where.$key[$i]")
         } else {
-            owner.put(key, index(value, list, "$where.$key"))
+            owner[key] = index(value, list, "$where.$key")
         }
     }
 
-    private fun index(name: JsonNode, list: String, where: String): Int {
+    private fun index(name: Any?, list: String, where: String): Int {
         source.step()
-        return names.getValue(list)[name.asText()] ?: fail(where, "$list.${name.asText()} does not exist")
+        val text = name.takeUnless { it is JsonMap || it is JsonList } ?: ""
+        return names.getValue(list)["$text"] ?: fail(where, "$list.$text does not exist")
     }
 
     /** Converts an accessor. In version 2.0 the stride is a property of the buffer view. */
-    private fun accessor(where: String, accessor: ObjectNode) {
+    private fun accessor(where: String, accessor: JsonMap) {
         refer(accessor, "bufferView", "bufferViews", where)
-        val stride = accessor.remove("byteStride")?.takeIf { it.asInt() != 0 } ?: return
+        val stride = accessor.remove("byteStride")?.takeIf { ((it as? Number)?.toInt() ?: 0) != 0 } ?: return
         val views = list("bufferViews")
-        val view = views[accessor.path("bufferView").asInt(-1)] as? ObjectNode ?: return
-        accessor.put("bufferView", views.size())
-        views.add(view.deepCopy().set<ObjectNode>("byteStride", stride))
+        val view = views.getOrNull(accessor["bufferView"] as? Int ?: -1) as? JsonMap ?: return
+        accessor["bufferView"] = views.size
+        views.add(JsonMap().also { it += view }.also { it["byteStride"] = stride })
     }
 
-    private fun image(where: String, image: ObjectNode) {
-        val binary = (image.remove("extensions") as? ObjectNode)?.get("KHR_binary_glTF") as? ObjectNode ?: return
+    private fun image(where: String, image: JsonMap) {
+        val binary = (image.remove("extensions") as? JsonMap)?.map("KHR_binary_glTF") ?: return
         refer(binary, "bufferView", "bufferViews", where)
         image.remove("uri")
-        binary["bufferView"]?.let { image.set<JsonNode>("bufferView", it) }
+        binary["bufferView"]?.let { image["bufferView"] = it }
     }
 
-    private fun mesh(where: String, mesh: ObjectNode) {
-        for ((i, primitive) in mesh.path("primitives").withIndex()) {
+    private fun mesh(where: String, mesh: JsonMap) {
+        for ((i, primitive) in mesh.list("primitives").orEmpty().withIndex()) {
             source.step()
             val here = "$where.primitives[$i]"
-            if (primitive !is ObjectNode) fail(here, "it is no JSON object")
+            if (primitive !is JsonMap) fail(here, "it is no JSON object")
             refer(primitive, "indices", "accessors", here)
             refer(primitive, "material", "materials", here)
-            val attributes = primitive["attributes"] as? ObjectNode ?: continue
-            for (name in attributes.fieldNames().asSequence().toList()) {
+            val attributes = primitive.map("attributes") ?: continue
+            for (name in attributes.keys.toList()) {
                 source.step()
                 refer(attributes, name, "accessors", "$here.attributes")
-                if (name !in unnumbered) continue
-                attributes.set<JsonNode>("${name}_0", attributes.remove(name))
+                if (name in unnumbered) attributes["${name}_0"] = attributes.remove(name)
             }
         }
     }
 
     /** Converts a node. A node of version 2.0 has one mesh; additional meshes go to new child nodes. */
-    private fun node(where: String, node: ObjectNode) {
+    private fun node(where: String, node: JsonMap) {
         for (key in listOf("skin", "skeletons", "jointName")) node.remove(key)
         refer(node, "children", "nodes", where)
         refer(node, "camera", "cameras", where)
         refer(node, "meshes", "meshes", where)
-        val meshes = node.remove("meshes") as? ArrayNode ?: return
+        val meshes = node.remove("meshes") as? JsonList ?: return
         for ((i, mesh) in meshes.withIndex()) {
             if (i == 0) {
-                node.set<JsonNode>("mesh", mesh)
+                node["mesh"] = mesh
             } else {
-                node.withArrayProperty("children").add(names.getValue("nodes").size + extraNodes.size)
-                extraNodes.add(JsonNodeFactory.instance.objectNode().set<ObjectNode>("mesh", mesh))
+                val children = node.list("children") ?: JsonList().also { node["children"] = it }
+                children.add(names.getValue("nodes").size + extraNodes.size)
+                extraNodes.add(JsonMap().also { it["mesh"] = mesh })
             }
         }
     }
@@ -151,9 +150,9 @@ internal class Version1Json private constructor(
         private val unnumbered = setOf("COLOR", "TEXCOORD")
 
         /** Whether [tree] is of version 1.0, or has no version number but the structure of version 1.0. */
-        fun isVersion1(tree: JsonNode): Boolean {
-            val version = tree.path("asset").path("version").asText("")
-            val isInForm = listOf("meshes", "accessors", "techniques").any { tree.path(it).isObject }
+        fun isVersion1(tree: JsonMap): Boolean {
+            val version = tree.map("asset")?.text("version").orEmpty()
+            val isInForm = listOf("meshes", "accessors", "techniques").any { tree.map(it) != null }
             return version == "1" || version.startsWith("1.") || (version.isEmpty() && isInForm)
         }
 
@@ -161,16 +160,16 @@ internal class Version1Json private constructor(
          * Makes the buffer named `binary_glTF` refer to the data of the binary file that contains [tree]. Its URI is
          * ignored.
          */
-        fun referToData(tree: JsonNode) {
-            (tree.path("buffers").path(BINARY) as? ObjectNode)?.remove("uri")
+        fun referToData(tree: JsonMap) {
+            tree.map("buffers")?.map(BINARY)?.remove("uri")
         }
 
         /**
-         * Returns equivalent JSON of version 2.0 for the [tree] of [source].
+         * Returns equivalent JSON of version 2.0 for the [tree] of [source], whose parts it takes over.
          *
          * @param fail called with a place in the file and the problem there
          */
-        fun convert(source: Source, tree: JsonNode, fail: (String, String) -> Nothing): ObjectNode =
+        fun convert(source: Source, tree: JsonMap, fail: (String, String) -> Nothing): JsonMap =
             Version1Json(source, tree, fail).convert()
     }
 }

@@ -1,0 +1,204 @@
+package dev.lazyz.scenes.gltf.document
+
+/** An object that can have extensions. */
+internal abstract class ExtensibleJson(json: GltfObject?) {
+    private val extensions: Map<*, *>? = json?.extensions()
+
+    /** Returns the object of the extension [name], or null. */
+    fun extension(name: String): Map<*, *>? = extensions?.get(name) as? Map<*, *>
+}
+
+/**
+ * A glTF file, with the objects and properties that this reader uses (section 5 of the specification). Each may be
+ * missing, also where the specification requires it; a list is empty then, and can contain null.
+ */
+internal class ModelJson(json: GltfObject) : ExtensibleJson(json) {
+    val scene: Int? = json.whole("scene")
+    val scenes: List<SceneJson?> = json.all("scenes", ::SceneJson)
+    val nodes: List<NodeJson?> = json.all("nodes", ::NodeJson)
+    val meshes: List<MeshJson?> = json.all("meshes", ::MeshJson)
+    val skins: List<SkinJson?> = json.all("skins", ::SkinJson)
+    val animations: List<AnimationJson?> = json.all("animations", ::AnimationJson)
+    val cameras: List<CameraJson?> = json.all("cameras", ::CameraJson)
+    val materials: List<MaterialJson?> = json.all("materials", ::MaterialJson)
+    val textures: List<TextureJson?> = json.all("textures", ::TextureJson)
+    val samplers: List<SamplerJson?> = json.all("samplers", ::SamplerJson)
+    val images: List<ImageJson?> = json.all("images", ::ImageJson)
+    val accessors: List<AccessorJson?> = json.all("accessors", ::AccessorJson)
+    val bufferViews: List<BufferViewJson?> = json.all("bufferViews", ::BufferViewJson)
+    val buffers: List<BufferJson?> = json.all("buffers", ::BufferJson)
+    val extensionsUsed: List<String> = json.texts("extensionsUsed")
+    val extensionsRequired: List<String> = json.texts("extensionsRequired")
+}
+
+internal class SceneJson(json: GltfObject) {
+    val nodes: List<Int?> = json.references("nodes").orEmpty()
+}
+
+internal class NodeJson(json: GltfObject) : ExtensibleJson(json) {
+    val name: String? = json.text("name")
+    val children: List<Int?> = json.references("children").orEmpty()
+    val matrix: FloatArray? = json.floats("matrix", 16)
+    val translation: FloatArray? = json.floats("translation", 3)
+    val rotation: FloatArray? = json.fractions("rotation", 4, least = -1.0)
+    val scale: FloatArray? = json.floats("scale", 3)
+    val mesh: Int? = json.whole("mesh")
+    val skin: Int? = json.whole("skin")
+    val camera: Int? = json.whole("camera")
+    val weights: List<Float?>? = json.numbers("weights")
+}
+
+internal class MeshJson(json: GltfObject) {
+    val name: String? = json.text("name")
+    val primitives: List<PrimitiveJson?> = json.all("primitives", ::PrimitiveJson)
+    val weights: List<Float?>? = json.numbers("weights")
+}
+
+internal class PrimitiveJson(json: GltfObject) : ExtensibleJson(json) {
+    val mode: Int? = json.code("mode", 0, 1, 2, 3, 4, 5, 6)
+    val attributes: Map<String, Int?> = json.referencesByName("attributes").orEmpty()
+    val indices: Int? = json.whole("indices")
+    val material: Int? = json.whole("material")
+    val targets: List<Map<String, Int?>?> = json.listOfReferencesByName("targets").orEmpty()
+}
+
+internal class SkinJson(json: GltfObject) {
+    val joints: List<Int?> = json.references("joints").orEmpty()
+    val inverseBindMatrices: Int? = json.whole("inverseBindMatrices")
+}
+
+internal class AnimationJson(json: GltfObject) {
+    val channels: List<ChannelJson?> = json.all("channels", ::ChannelJson)
+    val samplers: List<KeyframesJson?> = json.all("samplers", ::KeyframesJson)
+}
+
+internal class ChannelJson(json: GltfObject) {
+    val sampler: Int? = json.whole("sampler")
+    val target: TargetJson? = json.one("target", ::TargetJson)
+}
+
+internal class TargetJson(json: GltfObject) {
+    val node: Int? = json.whole("node")
+    val path: String? = json.word("path", "translation", "rotation", "scale", "weights")
+}
+
+internal class KeyframesJson(json: GltfObject) {
+    val input: Int? = json.whole("input")
+    val output: Int? = json.whole("output")
+    val interpolation: String? = json.word("interpolation", "LINEAR", "STEP", "CUBICSPLINE")
+}
+
+internal class CameraJson(json: GltfObject) {
+    val name: String? = json.text("name")
+    val perspective: PerspectiveJson? = json.one("perspective", ::PerspectiveJson)
+    val orthographic: OrthographicJson? = json.one("orthographic", ::OrthographicJson)
+}
+
+internal class PerspectiveJson(json: GltfObject) {
+    val yfov: Float? = json.number("yfov", above = 0f)
+    val znear: Float? = json.number("znear", above = 0f)
+    val zfar: Float? = json.number("zfar", above = 0f)
+}
+
+internal class OrthographicJson(json: GltfObject) {
+    val ymag: Float? = json.number("ymag")
+    val znear: Float? = json.number("znear", least = 0f)
+    val zfar: Float? = json.number("zfar", above = 0f)
+}
+
+/** Without [json], the default material. */
+internal class MaterialJson(json: GltfObject?) : ExtensibleJson(json) {
+    val name: String? = json?.text("name")
+    val pbrMetallicRoughness: MetallicRoughnessJson? = json?.one("pbrMetallicRoughness", ::MetallicRoughnessJson)
+    val normalTexture: NormalTextureJson? = json?.one("normalTexture", ::NormalTextureJson)
+    val occlusionTexture: OcclusionTextureJson? = json?.one("occlusionTexture", ::OcclusionTextureJson)
+    val emissiveTexture: TextureInfoJson? = json?.one("emissiveTexture", ::TextureInfoJson)
+    val emissiveFactor: FloatArray? = json?.fractions("emissiveFactor", 3)
+    val alphaMode: String? = json?.word("alphaMode", "OPAQUE", "MASK", "BLEND")
+    val alphaCutoff: Float? = json?.number("alphaCutoff", least = 0f)
+    val doubleSided: Boolean? = json?.flag("doubleSided")
+}
+
+internal class MetallicRoughnessJson(json: GltfObject) {
+    val baseColorFactor: FloatArray? = json.fractions("baseColorFactor", 4)
+    val baseColorTexture: TextureInfoJson? = json.one("baseColorTexture", ::TextureInfoJson)
+    val metallicFactor: Float? = json.fraction("metallicFactor")
+    val roughnessFactor: Float? = json.fraction("roughnessFactor")
+    val metallicRoughnessTexture: TextureInfoJson? = json.one("metallicRoughnessTexture", ::TextureInfoJson)
+}
+
+/** Which texture a material uses, and how. */
+internal open class TextureInfoJson(json: GltfObject) : ExtensibleJson(json) {
+    val index: Int? = json.whole("index")
+    val texCoord: Int? = json.whole("texCoord", 0..Int.MAX_VALUE)
+}
+
+internal class NormalTextureJson(json: GltfObject) : TextureInfoJson(json) {
+    val scale: Float? = json.number("scale")
+}
+
+internal class OcclusionTextureJson(json: GltfObject) : TextureInfoJson(json) {
+    val strength: Float? = json.fraction("strength")
+}
+
+internal class TextureJson(json: GltfObject) : ExtensibleJson(json) {
+    val source: Int? = json.whole("source")
+    val sampler: Int? = json.whole("sampler")
+}
+
+internal class SamplerJson(json: GltfObject) {
+    val magFilter: Int? = json.code("magFilter", NEAREST, LINEAR)
+    val wrapS: Int? = json.code("wrapS", CLAMP_TO_EDGE, MIRRORED_REPEAT, REPEAT)
+    val wrapT: Int? = json.code("wrapT", CLAMP_TO_EDGE, MIRRORED_REPEAT, REPEAT)
+
+    companion object {
+        const val NEAREST = 9728
+        const val CLAMP_TO_EDGE = 33071
+        const val MIRRORED_REPEAT = 33648
+        private const val LINEAR = 9729
+        private const val REPEAT = 10497
+    }
+}
+
+internal class ImageJson(json: GltfObject) {
+    val name: String? = json.text("name")
+    val uri: String? = json.text("uri")
+    val bufferView: Int? = json.whole("bufferView")
+}
+
+internal class AccessorJson(json: GltfObject) {
+    val bufferView: Int? = json.whole("bufferView")
+    val byteOffset: Int? = json.whole("byteOffset", 0..Int.MAX_VALUE)
+    val componentType: Int? = json.code("componentType", *ComponentType.all)
+    val normalized: Boolean? = json.flag("normalized")
+    val count: Int? = json.whole("count", 1..Int.MAX_VALUE)
+    val type: String? = json.word("type", *ElementType.names)
+    val sparse: SparseJson? = json.one("sparse", ::SparseJson)
+}
+
+internal class SparseJson(json: GltfObject) {
+    val count: Int? = json.whole("count", 1..Int.MAX_VALUE)
+    val indices: SparsePartJson? = json.one("indices", ::SparsePartJson)
+    val values: SparsePartJson? = json.one("values", ::SparsePartJson)
+}
+
+/** The places of sparse elements, whose [componentType] is given, or their values. */
+internal class SparsePartJson(json: GltfObject) {
+    val bufferView: Int? = json.whole("bufferView")
+    val byteOffset: Int? = json.whole("byteOffset", 0..Int.MAX_VALUE)
+    val componentType: Int? = json.code(
+        "componentType", ComponentType.UNSIGNED_BYTE, ComponentType.UNSIGNED_SHORT, ComponentType.UNSIGNED_INT,
+    )
+}
+
+internal class BufferViewJson(json: GltfObject) : ExtensibleJson(json) {
+    val buffer: Int? = json.whole("buffer")
+    val byteOffset: Int? = json.whole("byteOffset", 0..Int.MAX_VALUE)
+    val byteLength: Int? = json.whole("byteLength", 1..Int.MAX_VALUE)
+    val byteStride: Int? = json.whole("byteStride", 4..252)
+}
+
+internal class BufferJson(json: GltfObject) {
+    val uri: String? = json.text("uri")
+    val byteLength: Int? = json.whole("byteLength", 1..Int.MAX_VALUE)
+}
