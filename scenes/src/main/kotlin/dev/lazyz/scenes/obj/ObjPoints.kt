@@ -4,6 +4,7 @@ import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.PixelDefaults
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.obj.materials.MtlMaterial
+import dev.lazyz.scenes.text.Statements
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
@@ -76,5 +77,35 @@ internal class ObjPoints {
                 model.colors(vertices.size, vertices::position), model.origin, label.name,
             )
         }
+    }
+}
+
+/**
+ * Reads the statements `p v1 v2 ...` and `l v1 v2 ...`. Vertices may be written as `v/vt`; texture coordinates are not
+ * used.
+ */
+internal class ObjPointReader(
+    private val source: Source,
+    private val statements: Statements,
+    private val model: ObjModel,
+    private val faces: ObjFaceReader,
+) {
+    /** Reads the points of the current statement. */
+    fun readPoints(label: Label) {
+        statements.nextWord()
+        while (statements.nextWord()) model.points.add(label, statements.number, faces.vertex("point"))
+    }
+
+    /** Reads the polyline of the current statement. */
+    fun readLine(label: Label) {
+        statements.nextWord()
+        var previous = -1
+        var count = 0
+        while (statements.nextWord()) {
+            val vertex = faces.vertex("line")
+            if (count++ > 0) model.points.add(label, statements.number, previous, vertex)
+            previous = vertex
+        }
+        if (count < 2) source.warn("", "line ${statements.number}", ": a line of $count vertices is left out")
     }
 }

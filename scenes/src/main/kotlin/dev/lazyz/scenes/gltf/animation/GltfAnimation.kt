@@ -76,3 +76,14 @@ internal class GltfAnimation(private val document: GltfDocument, private val acc
         const val HINT = "the model is shown at rest, or at a moment with --animation-time (LoadOptions.animationTime)"
     }
 }
+
+/** The values that an animation gives to a node at one moment. Null means that the value from the file is unchanged. */
+internal class NodePose {
+    var translation: DoubleArray? = null
+    var rotation: DoubleArray? = null
+    var scale: DoubleArray? = null
+    var weights: DoubleArray? = null
+
+    /** Whether the animation changes the transform of the node. */
+    val isMoved: Boolean get() = translation != null || rotation != null || scale != null
+}

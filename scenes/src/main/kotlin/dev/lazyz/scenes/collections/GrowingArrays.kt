@@ -51,3 +51,48 @@ internal class Ints(capacity: Int = INITIAL_CAPACITY) {
         const val INITIAL_CAPACITY = 16
     }
 }
+
+/** A growing list of floats, unboxed. Not thread safe. */
+internal class Floats(capacity: Int = INITIAL_CAPACITY) {
+    private var values = FloatArray(capacity)
+
+    var size = 0
+        private set
+
+    operator fun get(index: Int): Float = values[index]
+
+    fun add(value: Float) {
+        if (size == values.size) values = values.copyOf(grownCapacity(size, 1))
+        values[size++] = value
+    }
+
+    fun clear() {
+        size = 0
+    }
+
+    /** Returns the numbers in the list's own array, trimmed to [size]. Do not add numbers afterwards. */
+    fun toArray(): FloatArray {
+        if (size < values.size) values = values.copyOf(size)
+        return values
+    }
+
+    private companion object {
+        const val INITIAL_CAPACITY = 16
+    }
+}
+
+/** Most elements that every JVM allows in one array. */
+private const val MOST_ELEMENTS = Int.MAX_VALUE - 8
+private const val LEAST_GROWTH = 16
+
+/**
+ * Returns a capacity of at least [size] + [more] elements, and of half as many again as [size] unless that is too many
+ * for one array.
+ *
+ * @throws OutOfMemoryError if even [size] + [more] elements are too many, as the lists of the JDK do
+ */
+internal fun grownCapacity(size: Int, more: Int): Int {
+    val needed = size.toLong() + more
+    if (needed > MOST_ELEMENTS) throw OutOfMemoryError("an array cannot have $needed elements")
+    return maxOf(needed, size.toLong() + maxOf(size / 2, LEAST_GROWTH)).coerceAtMost(MOST_ELEMENTS.toLong()).toInt()
+}
