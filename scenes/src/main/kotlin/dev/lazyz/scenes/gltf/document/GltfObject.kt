@@ -162,7 +162,7 @@ internal class GltfObject(
     private fun place(name: String): String = if (path.isEmpty()) name else "$path.$name"
 
     /** Returns the place of [name] without numbers of elements. */
-    private fun kind(name: String): String = place(name).replace(ELEMENT, "")
+    private fun kind(name: String): String = place(name).split('[').joinToString("") { it.substringAfter(']') }
 
     private fun notOneOf(name: String, value: Any, valid: List<*>) = "Invalid value for $name: $value, valid: $valid"
 
@@ -189,6 +189,5 @@ internal class GltfObject(
         private const val ROUNDING = 1e-3
         private const val MAX_PROBLEM = 200
         private const val MAX_NUMBER = 40
-        private val ELEMENT = Regex("""\[\d+]""")
     }
 }
