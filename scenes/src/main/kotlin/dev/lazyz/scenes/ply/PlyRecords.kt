@@ -16,8 +16,8 @@ import org.joml.Vector3d
  *
  * All vertices come first, at [start]. They have 32-bit positions, and nothing else that [Scenes] would use: no
  * normals, colours or texture coordinates. The faces follow, [FACE_BYTES] bytes each: the number of corners, one byte,
- * and three 32-bit vertex numbers. Whether the number of corners is 3 and the file has all its bytes is left to the caller.
- * Immutable.
+ * and three 32-bit vertex numbers. Whether the number of corners is 3 and the file has all its bytes is left to the
+ * caller. Immutable.
  *
  * @property order order of the bytes of numbers
  * @property start position of the first vertex, in bytes
