@@ -36,7 +36,10 @@ internal object GltfParser : SceneParser {
         val nodes = tree.walk()
         val skins = GltfSkins(document, accessors, tree)
         val meshes = GltfMeshes(document, accessors, GltfPoses(document, accessors, skins, poses))
-        val visible = nodes.filter { it.isVisible }
+        val visible = nodes.filter {
+            source.step()
+            it.isVisible
+        }
         val surfaces = visible.flatMap { meshes.of(it) }
         if (surfaces.isEmpty()) source.warn("${reasonForNothing(document, nodes)}, so there is nothing to see")
         source.cameras += GltfCameras(document, Scene(surfaces)).all(nodes)
