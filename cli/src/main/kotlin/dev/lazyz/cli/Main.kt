@@ -10,9 +10,12 @@ import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Heartbeat
 import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.Streams
+import java.io.IOException
 import java.io.InputStream
 import java.io.OutputStream
 import java.io.PrintStream
+import java.nio.file.Files
+import java.nio.file.Path
 import kotlin.system.exitProcess
 
 /** Entry point of the program zcli. See [run]. */
@@ -95,5 +98,62 @@ private fun answer(request: CliktError, streams: Streams): Int {
         request is PrintHelpMessage || request.statusCode == ExitCode.DONE -> ExitCode.DONE
         request is ProgramResult -> request.statusCode
         else -> ExitCode.MISTAKE
+    }
+}
+
+/** The archive of loaded classes with which the script `zcli` starts Java. */
+internal object ClassArchive {
+    /** System property with the path of the archive. The script sets it. */
+    private const val PROPERTY = "zcli.archive"
+
+    /** Deletes the archive after an unexplained failure, because it may be damaged. The script creates a new one. */
+    fun discard() {
+        val archive = System.getProperty(PROPERTY) ?: return
+        try {
+            Files.deleteIfExists(Path.of(archive))
+        } catch (_: IOException) {
+            // The archive is used again. The original failure has already been reported
+        }
+    }
+}
+
+/**
+ * Reports the exceptions that end threads other than the main one to [messages], as Java does, except that memory is
+ * used up: the thread was helping, and the one that it helped does the work, or fails and reports it.
+ */
+internal class ThreadEnd(private val messages: PrintStream) : Thread.UncaughtExceptionHandler {
+    init {
+        // The first call of a method needs memory, which is not there when it matters
+        uncaughtException(Thread.currentThread(), OutOfMemoryError())
+    }
+
+    override fun uncaughtException(thread: Thread, failure: Throwable) {
+        if (failure is OutOfMemoryError) return
+        messages.print("Exception in thread \"${thread.name}\" ")
+        failure.printStackTrace(messages)
+    }
+}
+
+/**
+ * Loads the module of Java's Vector API if the user requests it with `-Dzcli.kernel=vector`.
+ *
+ * Java loads the module only if an option requests it at the start, and then prints a warning. This object loads it
+ * later and without a warning, by means of an export that the manifest of zcli.jar declares. It is not loaded by
+ * default, because the time that it saves in one picture is seldom more than the time to load and compile it: see
+ * docs/performance.md, "The Vector API in a process of one picture".
+ */
+internal object VectorModule {
+    /** The package that the manifest exports to zcli. It contains the method that loads a module. */
+    const val EXPORT: String = "java.base/jdk.internal.module"
+
+    /** Loads the module if the user requested it. Does nothing on a JVM that does not permit this. */
+    fun loadIfWanted() {
+        if (System.getProperty("zcli.kernel") != "vector") return
+        try {
+            val modules = Class.forName("jdk.internal.module.Modules")
+            modules.getMethod("loadModule", String::class.java).invoke(null, "jdk.incubator.vector")
+        } catch (_: ReflectiveOperationException) {
+            // The scalar kernel runs, with the same result. --stats prints which kernel ran
+        }
     }
 }

@@ -128,8 +128,8 @@ class PackagesTest {
         /** The packages of core from bottom to top: each names only those before it, see `docs/architecture.md`. */
         val LEVELS = listOf(
             "", "raster", "geometry", "world.material", "world.surface", "world",
-            "shading.light", "shading.pbr", "shading", "setup", "setup.planar",
-            "sections", "drawing.strokes", "drawing", "pipeline", "filter",
+            "shading.light", "shading.pbr", "shading", "setup",
+            "sections", "drawing", "pipeline", "filter",
             "strategies.tiled.raster", "strategies.tiled.binning", "strategies.tiled.resolve",
             "strategies.*", "strategies", "planning", "lighting", "aov",
         ).map { if (it.isEmpty()) "dev.lazyz" else "dev.lazyz.$it" }

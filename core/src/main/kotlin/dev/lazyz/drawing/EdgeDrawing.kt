@@ -2,11 +2,6 @@ package dev.lazyz.drawing
 
 import dev.lazyz.Checkpoint
 import dev.lazyz.Primitive
-import dev.lazyz.drawing.strokes.Crumbs
-import dev.lazyz.drawing.strokes.Dashes
-import dev.lazyz.drawing.strokes.Pen
-import dev.lazyz.drawing.strokes.Pieces
-import dev.lazyz.drawing.strokes.Polylines
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.setup.Viewport

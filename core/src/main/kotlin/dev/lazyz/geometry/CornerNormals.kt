@@ -189,3 +189,75 @@ internal class CornerNormals(
         fun radians(degrees: Double) = degrees * (StrictMath.PI / 180.0)
     }
 }
+
+/**
+ * The corners of a mesh's triangles (three for each) grouped by position. Positions are numbered, and the corners of
+ * each position are in the order of the triangles. Immutable.
+ */
+internal class CornersByPosition(positions: FloatArray, triangles: IntArray) {
+    /** By vertex: the number of its position. */
+    val positionOf: IntArray = positionNumbers(positions)
+
+    /** By position: the index in [corners] of its first corner. The corners of position i end at `starts[i + 1]`. */
+    val starts: IntArray
+
+    /** The corners, grouped by position. */
+    val corners: IntArray
+
+    init {
+        // Counts are stored two places up, so their running sums are the starts of the positions, one place up. The
+        // loop below then advances each of them to the end of its position, which is the start of the next
+        starts = IntArray((positionOf.maxOrNull() ?: -1) + 3)
+        for (vertex in triangles) starts[positionOf[vertex] + 2]++
+        for (i in 2 until starts.size) starts[i] += starts[i - 1]
+        corners = IntArray(triangles.size)
+        for ((corner, vertex) in triangles.withIndex()) corners[starts[positionOf[vertex] + 1]++] = corner
+    }
+
+    /** Number of positions. */
+    val count: Int get() = starts.size - 2
+
+    private fun positionNumbers(p: FloatArray): IntArray {
+        val count = p.size / 3
+        val distinct = DistinctTriples(count)
+        return IntArray(count) {
+            distinct.addPoint(p[3 * it], p[3 * it + 1], p[3 * it + 2])
+        }
+    }
+}
+
+/** Computes the normals of triangles, one at a time. Not thread safe. */
+internal class FaceNormal(private val positions: FloatArray, private val triangles: IntArray) {
+    /** The normal of the last triangle: its length is twice the area, and it is 0 if a number is not finite. */
+    var x = 0.0
+        private set
+
+    /** See [x]. */
+    var y = 0.0
+        private set
+
+    /** See [x]. */
+    var z = 0.0
+        private set
+
+    /** Computes the normal of the triangle whose first corner is number [corner]. */
+    fun compute(corner: Int) {
+        val p = positions
+        val a = 3 * triangles[corner]
+        val b = 3 * triangles[corner + 1]
+        val c = 3 * triangles[corner + 2]
+        val ux = p[b].toDouble() - p[a]
+        val uy = p[b + 1].toDouble() - p[a + 1]
+        val uz = p[b + 2].toDouble() - p[a + 2]
+        val vx = p[c].toDouble() - p[a]
+        val vy = p[c + 1].toDouble() - p[a + 1]
+        val vz = p[c + 2].toDouble() - p[a + 2]
+        x = uy * vz - uz * vy
+        y = uz * vx - ux * vz
+        z = ux * vy - uy * vx
+        if (x.isFinite() && y.isFinite() && z.isFinite()) return
+        x = 0.0
+        y = 0.0
+        z = 0.0
+    }
+}

@@ -9,8 +9,8 @@ import dev.lazyz.Region
 import dev.lazyz.Workers
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.ScreenGrid
-import dev.lazyz.setup.planar.TriangleBatch
-import dev.lazyz.setup.planar.triangleBatch
+import dev.lazyz.setup.TriangleBatch
+import dev.lazyz.setup.triangleBatch
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.FutureTask
 import java.util.concurrent.atomic.AtomicReference

@@ -10,7 +10,7 @@ import dev.lazyz.StreamingRenderer
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.pipeline.LayeredRendering
 import dev.lazyz.pipeline.SampleBuffer
-import dev.lazyz.setup.planar.triangleBatch
+import dev.lazyz.setup.triangleBatch
 import dev.lazyz.strategies.FrameNumbers
 import dev.lazyz.strategies.StrategyMemory
 import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer

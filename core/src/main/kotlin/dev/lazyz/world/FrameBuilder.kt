@@ -9,9 +9,9 @@ import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.Shader
 import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.setup.PlanarAssembly
 import dev.lazyz.setup.Viewport
-import dev.lazyz.setup.planar.PlanarAssembly
-import dev.lazyz.setup.planar.orEmpty
+import dev.lazyz.setup.orEmpty
 import dev.lazyz.shading.Vertices
 
 /**

@@ -5,7 +5,7 @@ import dev.lazyz.GridPoint
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.samples
-import dev.lazyz.setup.planar.PlanarPrimitive
+import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Projection

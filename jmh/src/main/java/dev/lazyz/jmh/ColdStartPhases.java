@@ -31,7 +31,7 @@ public final class ColdStartPhases {
     static {
         PHASES.put("JVM", "dev.lazyz.cli.MainKt");
         PHASES.put("command line", "dev.lazyz.cli.render.RenderJob");
-        PHASES.put("scene", "dev.lazyz.setup.planar.PlanarSetUp");
+        PHASES.put("scene", "dev.lazyz.setup.PlanarSetUp");
         PHASES.put("set-up", "dev.lazyz.cli.output.Tally");
         PHASES.put("render, encode", "java.lang.Shutdown");
         PHASES.put("exit", "");

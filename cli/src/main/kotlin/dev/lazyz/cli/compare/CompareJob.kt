@@ -7,8 +7,10 @@ import dev.lazyz.Image
 import dev.lazyz.Renderer
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
+import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.world.View
@@ -116,3 +118,18 @@ internal class CompareJob(
         const val BYTES_PER_PIXEL = 12L
     }
 }
+
+/**
+ * The options of `zcli compare`.
+ *
+ * @property strategies ids; if empty, all strategies
+ * @property views the sides to look from, one after the other; if empty, the camera of the subject
+ * @property blanks what happens if a picture is blank
+ */
+internal class CompareRequest(
+    val strategies: List<String>,
+    val choices: Choices,
+    val repeat: Int,
+    val views: List<View>,
+    val blanks: BlankPictures,
+)

@@ -3,6 +3,7 @@ package dev.lazyz.cli.input
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
+import dev.lazyz.Rgba
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.output.Streams
@@ -17,7 +18,9 @@ import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.View
+import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Texture
 import java.nio.file.Path
 
 /**
@@ -175,5 +178,28 @@ internal class FrameSource(
         /** The size of a picture that neither the options nor the input choose. */
         val DEFAULT_SIZE = ImageSize(640, 480)
         private const val MAX_WARNINGS = 20
+    }
+}
+
+/**
+ * A colour and a texture that replace those of all surfaces, and the colours of vertices.
+ *
+ * @property color null means white
+ * @property texture null means none
+ */
+internal class Paint(private val color: Rgba?, private val texture: Texture?) {
+    /** Returns [scene] with this paint on all surfaces. */
+    fun applyTo(scene: Scene): Scene =
+        scene.withSurfaces(
+            scene.surfaces.map { surface ->
+                surface.withoutColors().withMaterials { painted(it, texture.takeIf { surface.hasUvs(0) }) }
+            },
+        )
+
+    /** Removes a custom shader, too, which would take precedence. */
+    private fun painted(material: Material, texture: Texture?): Material {
+        val isOpaque = (color == null || color.alpha >= 1f) && texture?.hasAlpha != true
+        return material.withBaseColor(color ?: Rgba.WHITE).withTexture(texture).withShader(null)
+            .withAlphaMode(if (isOpaque) AlphaMode.OPAQUE else AlphaMode.BLEND)
     }
 }

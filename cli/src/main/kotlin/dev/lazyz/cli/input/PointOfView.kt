@@ -4,6 +4,7 @@ import dev.lazyz.cli.output.Mistake
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.PictureStyle
+import dev.lazyz.scenes.TurntableCamera
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Fit
 import dev.lazyz.world.FittedViewpoint
@@ -225,4 +226,37 @@ internal class PointOfView(
 
         private fun vector(v: Vector3dc): String = "${v.x()},${v.y()},${v.z()}"
     }
+}
+
+/** The value of `--camera`. */
+internal sealed class CameraChoice {
+    /** A camera that shows the whole scene. */
+    data object Fit : CameraChoice()
+
+    /** The scene's own camera, or a fitted one if it has none. */
+    data object OfScene : CameraChoice()
+
+    /** The camera of the model with this number, from 0. */
+    data class OfModel(val number: Int) : CameraChoice()
+}
+
+/**
+ * A turn of one input around the up axis, in [steps] equal steps. Remembers how the camera sees the scene from all of
+ * them, so that it is computed once. Not thread safe.
+ */
+internal class Turns(val steps: Int) {
+    private var camera: TurntableCamera? = null
+
+    /** Returns the step with this number, from 0. */
+    fun step(number: Int) = Turn { start ->
+        Viewpoint { scene, aspect ->
+            (camera ?: TurntableCamera(scene, aspect, steps, start).also { camera = it }).at(number)
+        }
+    }
+}
+
+/** A step of a turn. */
+internal fun interface Turn {
+    /** Returns the camera of [start], turned, from the same distance in all steps. */
+    fun viewpoint(start: FittedViewpoint): Viewpoint
 }

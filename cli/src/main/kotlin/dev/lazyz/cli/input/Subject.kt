@@ -1,10 +1,18 @@
 package dev.lazyz.cli.input
 
 import dev.lazyz.DepthConvention
+import dev.lazyz.Raster
 import dev.lazyz.Region
+import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Shader
+import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputPlaces
+import dev.lazyz.filter.PixelFilter
+import dev.lazyz.filter.SampledFrame
+import dev.lazyz.filter.ShadingRate
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.filter.VerticalGradient
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadOptions
@@ -16,6 +24,9 @@ import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Surface
 import java.nio.file.Path
 import java.time.Duration
 
@@ -86,4 +97,70 @@ internal class Subject(
 
     /** The files that the options name. */
     val files: List<Path> get() = listOfNotNull(Input(input, format).file, texture, light.matcap)
+}
+
+/**
+ * What is behind the surfaces.
+ *
+ * @property color the background of the frame; transparent if there is a gradient
+ * @property gradient the gradient, or null
+ */
+internal class Backdrop private constructor(val color: Rgba, val gradient: VerticalGradient?) {
+    constructor(color: Rgba) : this(color, null)
+
+    constructor(gradient: VerticalGradient) : this(Rgba.TRANSPARENT, gradient)
+}
+
+/**
+ * Sizes from the command line that replace those of the input.
+ *
+ * @property point size of points, pixels; null keeps the sizes of the input
+ * @property line width of lines, pixels; null keeps the widths of the input
+ */
+internal class PixelSizes(private val point: Double?, private val line: Double?) {
+    fun applyTo(scene: Scene): Scene {
+        if (point == null && line == null) return scene
+        return scene.withSurfaces(scene.surfaces.map { sized(it) })
+    }
+
+    private fun sized(surface: Surface): Surface = when {
+        surface is Points && point != null -> surface.withSize(point)
+        surface is Lines && line != null -> surface.withWidth(line)
+        else -> surface
+    }
+}
+
+/**
+ * The options of anti-aliasing.
+ *
+ * @property factor samples a pixel in each direction; null means [usual], or 1 where that is not possible
+ * @property rate how often primitives are shaded; null means [usualRate], or each sample where that is not possible
+ */
+internal class AntiAliasing(
+    private val factor: Int?,
+    private val usual: Int,
+    private val filter: PixelFilter,
+    private val rate: ShadingRate?,
+    private val usualRate: ShadingRate,
+) {
+    /** Samples a pixel in each direction, unless that is not possible. */
+    val wanted: Int get() = factor ?: usual
+
+    /** An option that needs the whole model in memory, or null. */
+    val wholeModel: String? get() = if (rate == ShadingRate.PIXEL) "--shading-rate pixel" else null
+
+    /** Sets up [scene] for the samples of the pixels of [raster]. */
+    fun frame(scene: Scene, raster: Raster, options: RenderOptions): SampledFrame {
+        val wish = SuperSampling(wanted, filter)
+        val obstacle = wish.obstacle(scene, raster)
+        if (obstacle != null && factor != null) throw Mistake("--aa $factor: $obstacle; use --aa 1")
+        val sampling = if (obstacle == null) wish else SuperSampling(1, filter)
+        val sampled = sampling.frame(scene, raster, options)
+        if ((rate ?: usualRate) == ShadingRate.SAMPLE) return sampled
+        if (!sampled.frame.hasTranslucency) {
+            return SuperSampling(sampling.factor, filter, ShadingRate.PIXEL).of(sampled.frame)
+        }
+        if (rate == null) return sampled
+        throw Mistake("--shading-rate pixel: the scene is translucent; use --shading-rate sample, or --opaque")
+    }
 }

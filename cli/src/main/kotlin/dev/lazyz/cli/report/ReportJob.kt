@@ -5,9 +5,11 @@ import dev.lazyz.Renderer
 import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovImages
 import dev.lazyz.cli.compare.CompareJob
+import dev.lazyz.cli.compare.CompareRequest
 import dev.lazyz.cli.compare.Outcome
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
+import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.output.ReportPlace
@@ -16,6 +18,7 @@ import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.trace.ShadingOrder
 import dev.lazyz.scenes.aov.ObjectTable
 import dev.lazyz.scenes.html.Html
+import java.nio.file.Path
 
 /** One run of `zcli report`: compares, renders once more to see where the work is, and writes the page. */
 internal class ReportJob(private val request: ReportRequest, private val streams: Streams) {
@@ -99,3 +102,11 @@ internal class ReportJob(private val request: ReportRequest, private val streams
         const val EACH_PER_PIXEL = 12L
     }
 }
+
+/**
+ * The options of `zcli report`.
+ *
+ * @property compared what is compared, without views
+ * @property command the command line that makes the report, without the output
+ */
+internal class ReportRequest(val subject: Subject, val output: Path, val compared: CompareRequest, val command: String,)

@@ -4,6 +4,8 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Shot
+import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.OutputPlaces
@@ -11,9 +13,11 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.Tally
 import dev.lazyz.cli.output.counted
 import dev.lazyz.cli.render.FanOut
+import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.scenes.writers.AlphaChannel
+import java.nio.file.Path
 
 /** One run of `zcli trace`: reads, sets up, renders with each strategy, and writes the film. */
 internal class TraceJob(private val request: TraceRequest, private val streams: Streams) {
@@ -83,3 +87,20 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         val ENDINGS = listOf(".gif", ".png", ".apng", PAGE)
     }
 }
+
+/**
+ * The options of `zcli trace`.
+ *
+ * @property strategies ids of one strategy or two; if empty, the usual one
+ * @property steps pictures from the first call to the last
+ * @property blanks what happens if the picture is blank
+ */
+internal class TraceRequest(
+    val subject: Subject,
+    val output: Path,
+    val strategies: List<String>,
+    val choices: Choices,
+    val steps: Int,
+    val framesPerSecond: Int,
+    val blanks: BlankPictures,
+)

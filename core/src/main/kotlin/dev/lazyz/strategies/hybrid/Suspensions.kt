@@ -3,7 +3,7 @@ package dev.lazyz.strategies.hybrid
 import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.bytes
-import dev.lazyz.setup.planar.sharedVertices
+import dev.lazyz.setup.sharedVertices
 import dev.lazyz.shading.Vertices
 
 /** Whether keeping a primitive costs memory. */

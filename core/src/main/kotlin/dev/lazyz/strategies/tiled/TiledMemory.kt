@@ -5,8 +5,8 @@ import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.raster.reaches
-import dev.lazyz.setup.planar.TriangleBatch
-import dev.lazyz.setup.planar.triangleBatch
+import dev.lazyz.setup.TriangleBatch
+import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.MaskedPrimitive
 import dev.lazyz.strategies.tiled.binning.TriangleBins
 import dev.lazyz.strategies.tiled.raster.SmallCoverage

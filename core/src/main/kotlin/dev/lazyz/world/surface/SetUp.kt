@@ -8,13 +8,13 @@ import dev.lazyz.Workers
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.LineStrokes
+import dev.lazyz.setup.PlanarSetUp
 import dev.lazyz.setup.PointCloud
 import dev.lazyz.setup.SampleRays
 import dev.lazyz.setup.SphereSetUp
+import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.VertexStage
 import dev.lazyz.setup.Viewport
-import dev.lazyz.setup.planar.PlanarSetUp
-import dev.lazyz.setup.planar.TriangleBatch
 import dev.lazyz.shading.Lighting
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light

@@ -4,11 +4,20 @@ import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovImage
 import dev.lazyz.scenes.writers.AtomicFile
 import dev.lazyz.scenes.writers.PfmRows
+import dev.lazyz.scenes.writers.PngChunks
 import java.io.BufferedOutputStream
 import java.io.IOException
+import java.io.OutputStream
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
 import java.nio.channels.Channels
 import java.nio.channels.FileChannel
 import java.nio.file.Path
+import java.time.LocalDateTime
+import java.util.zip.Deflater
+import java.util.zip.DeflaterOutputStream
+import java.util.zip.ZipEntry
+import java.util.zip.ZipOutputStream
 
 /**
  * Writes AOVs to files, as data. For pictures of them, see [AovPicture].
@@ -131,5 +140,157 @@ public enum class AovFormat(public val id: String) {
             val extension = path.fileName?.toString().orEmpty().substringAfterLast('.', "").lowercase()
             return entries.firstOrNull { it.id == extension }
         }
+    }
+}
+
+/** PNG files with 16 bits a channel, see [AovFormat.PNG]. */
+internal object DeepPng {
+    private const val MOST = 65535
+
+    /** Filter 1 of the specification: differences to the pixel on the left. */
+    private const val SUB = 1
+
+    /** Returns why the numbers of [image] do not fit, or null if they do. */
+    fun obstacle(image: AovImage): String? {
+        if (!image.aov.isInteger) return null
+        val most = image.ints.max()
+        if (most.toLong() - image.aov.background.toLong() <= MOST) return null
+        return "'${image.aov.id}' reaches $most, which 16 bits cannot hold; use .npy"
+    }
+
+    /** Writes [image] to [output], without closing it. */
+    fun write(output: OutputStream, image: AovImage) {
+        val own = image.aov.channels.size
+        val all = if (own == 1) 1 else 3
+        val chunks = PngChunks(output)
+        chunks.header(image.width, image.height, depth = 16, if (all == 1) PngChunks.GREY else PngChunks.RGB)
+        text(chunks, "aov", image.aov.id)
+        if (image.aov == Aov.DEPTH) {
+            text(chunks, "near", "${image.lowest}")
+            text(chunks, "far", "${image.highest}")
+        }
+
+        // Each buffer of compressed bytes is a chunk
+        val data = object : OutputStream() {
+            override fun write(byte: Int) = write(byteArrayOf(byte.toByte()), 0, 1)
+
+            override fun write(bytes: ByteArray, offset: Int, length: Int) =
+                chunks.write(PngChunks.DATA, bytes.copyOfRange(offset, offset + length))
+        }
+        val deflater = Deflater()
+        try {
+            val chunked = BufferedOutputStream(data, PngChunks.DATA_SIZE)
+            DeflaterOutputStream(chunked, deflater, PngChunks.DATA_SIZE).use { pixels ->
+                for (y in 0 until image.height) pixels.write(row(image, y, own, all))
+            }
+        } finally {
+            deflater.end()
+        }
+        chunks.write(PngChunks.END, ByteArray(0))
+    }
+
+    private fun text(chunks: PngChunks, keyword: String, value: String) =
+        chunks.write("tEXt", "$keyword\u0000$value".toByteArray(Charsets.ISO_8859_1))
+
+    /** Returns row [y]: the filter, then differences of [all] channels for each pixel, of which [own] are not 0. */
+    private fun row(image: AovImage, y: Int, own: Int, all: Int): ByteArray {
+        val bytes = ByteArray(1 + 2 * all * image.width)
+        bytes[0] = SUB.toByte()
+        val left = IntArray(all)
+        for (i in 0 until all * image.width) {
+            val channel = i % all
+            val code = if (channel < own) code(image, image.numberAt(y * image.width + i / all, channel)) else 0
+            bytes[1 + 2 * i] = ((code ushr 8) - (left[channel] ushr 8)).toByte()
+            bytes[2 + 2 * i] = (code - left[channel]).toByte()
+            left[channel] = code
+        }
+        return bytes
+    }
+
+    /** Returns the code of [number], 0..[MOST]. NaN is 0. */
+    private fun code(image: AovImage, number: Double): Int {
+        if (image.aov.isInteger) return (number - image.aov.background).toInt()
+        if (image.aov == Aov.DEPTH && number == image.aov.background) return MOST
+        val most = if (image.aov == Aov.DEPTH) MOST - 1 else MOST
+        val place = (number - image.lowest) / (image.highest - image.lowest)
+        return if (place > 0.0) Math.rint(minOf(place, 1.0) * most).toInt() else 0
+    }
+}
+
+/**
+ * NumPy's files of arrays, version 1.0, and archives of them.
+ *
+ * Source: NumPy Enhancement Proposal 1, "A Simple File Format for NumPy Arrays".
+ */
+internal object Npy {
+    /** The length of the header, with all before it, is a multiple of this. */
+    private const val ALIGNMENT = 64
+    private val MAGIC = byteArrayOf(0x93.toByte()) + "NUMPY".toByteArray(Charsets.US_ASCII) + byteArrayOf(1, 0)
+
+    /** Halves of pairs, which are no characters alone, and what is written for them. */
+    private val SURROGATES = 0xD800..0xDFFF
+    private const val REPLACEMENT = 0xFFFD
+
+    /** The least time that archives can store, so that the same arrays give the same bytes. */
+    private val TIME = LocalDateTime.of(1980, 1, 1, 0, 0)
+
+    /** Writes [image] as an array to [output]. */
+    fun write(output: OutputStream, image: AovImage) {
+        output.write(header(image))
+        val channels = image.aov.channels.size
+        val bytes = ByteBuffer.allocate(Int.SIZE_BYTES * image.width * channels).order(ByteOrder.LITTLE_ENDIAN)
+        val numbers = image.width * channels
+        for (y in 0 until image.height) {
+            bytes.clear()
+            if (image.aov.isInteger) {
+                bytes.asIntBuffer().put(image.ints, y * numbers, numbers)
+            } else {
+                bytes.asFloatBuffer().put(image.floats, y * numbers, numbers)
+            }
+            output.write(bytes.array())
+        }
+    }
+
+    /** Writes [images] as an archive to [output], and closes it. */
+    fun writeArchive(output: OutputStream, images: List<AovImage>) {
+        ZipOutputStream(output).use { archive ->
+            for (image in images) {
+                archive.putNextEntry(ZipEntry("${image.aov.id}.npy").apply { timeLocal = TIME })
+                write(archive, image)
+                archive.closeEntry()
+                if (image.names.isEmpty()) continue
+                archive.putNextEntry(ZipEntry("${image.aov.id}-names.npy").apply { timeLocal = TIME })
+                write(archive, image.names)
+                archive.closeEntry()
+            }
+        }
+    }
+
+    /** Writes [texts] as an array: code points, with zeros up to the length of the longest. */
+    private fun write(output: OutputStream, texts: List<String>) {
+        val longest = maxOf(texts.maxOf { it.codePointCount(0, it.length) }, 1)
+        output.write(header("<U$longest", "${texts.size},"))
+        val bytes = ByteBuffer.allocate(Int.SIZE_BYTES * longest).order(ByteOrder.LITTLE_ENDIAN)
+        for (text in texts) {
+            bytes.array().fill(0)
+            bytes.clear()
+            for (point in text.codePoints()) bytes.putInt(if (point in SURROGATES) REPLACEMENT else point)
+            output.write(bytes.array())
+        }
+    }
+
+    private fun header(image: AovImage): ByteArray {
+        val channels = image.aov.channels.size
+        val shape = listOf(image.height, image.width) + if (channels == 1) emptyList() else listOf(channels)
+        return header(if (image.aov.isInteger) "<i4" else "<f4", shape.joinToString())
+    }
+
+    private fun header(type: String, shape: String): ByteArray {
+        val text = "{'descr': '$type', 'fortran_order': False, 'shape': ($shape), }"
+        val before = MAGIC.size + Short.SIZE_BYTES
+        val length = (before + text.length + ALIGNMENT) / ALIGNMENT * ALIGNMENT - before
+        val padded = text.padEnd(length - 1) + "\n"
+        val size = byteArrayOf(length.toByte(), (length ushr 8).toByte())
+        return MAGIC + size + padded.toByteArray(Charsets.US_ASCII)
     }
 }

@@ -5,6 +5,9 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
@@ -127,5 +130,77 @@ internal class CityScene(private val blocks: Int, seed: Long) {
         const val PAVEMENT = 2.0
         const val GAP = 2.0
         const val KERB = 0.2
+    }
+}
+
+/** Textures of walls with windows: four by four windows, in pale colours that the house tints. */
+internal object Facade {
+    /** Height of a storey, and width of a window including the wall beside it, in metres. */
+    const val FLOOR = 3.2
+
+    private const val WINDOWS = 4
+
+    /** Width and height of wall that one texture covers, in metres. */
+    const val TILE = FLOOR * WINDOWS
+
+    private const val CELL = 16
+    private const val SIDE = CELL * WINDOWS
+
+    private class Style(val wall: Int, val ledge: Int, val glass: List<Int>, val columns: IntRange, val rows: IntRange)
+
+    private val styles = listOf(
+        Style(0xE6DCCB, 0xCFC3AF, listOf(0x5B6C7C, 0x66788A, 0x4F5E6C), 4..11, 4..13),
+        Style(0xC98E70, 0xDCC7B0, listOf(0x4C5A66, 0x58676F, 0xE2C987), 4..11, 4..11),
+        Style(0xB9C4CC, 0x93A2AE, listOf(0x6F8CA3, 0x7E9BB0, 0x617C92), 0..13, 2..13),
+        Style(0xD8D4CE, 0xBDB8B1, listOf(0x55606B, 0x616D78, 0xD8C38C), 2..13, 6..11),
+    )
+
+    fun texture(kind: Int, random: SplitMix): Texture {
+        val style = styles[kind]
+        val panes = IntArray(WINDOWS * WINDOWS) { style.glass[random.below(style.glass.size)] }
+        val texels = IntArray(SIDE * SIDE) {
+            val x = it % SIDE
+            val y = it / SIDE
+            val isWindow = x % CELL in style.columns && y % CELL in style.rows
+            val rgb = when {
+                isWindow -> panes[y / CELL * WINDOWS + x / CELL]
+                y % CELL >= CELL - 2 -> style.ledge
+                else -> style.wall
+            }
+            rgb or (0xFF shl 24)
+        }
+        return Texture(
+            SIDE, SIDE, texels, TextureFilter.BILINEAR, TextureWrap.REPEAT, TextureWrap.REPEAT, "facade-$kind",
+        )
+    }
+}
+
+/**
+ * Random numbers that are the same on every machine.
+ *
+ * Source: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014 (SplitMix64).
+ */
+internal class SplitMix(private var state: Long) {
+    private fun nextLong(): Long {
+        state += GAMMA
+        var z = state
+        z = (z xor (z ushr 30)) * FIRST
+        z = (z xor (z ushr 27)) * SECOND
+        return z xor (z ushr 31)
+    }
+
+    /** Returns a number in [low]..[high], [high] excluded. */
+    fun between(low: Double, high: Double): Double = low + (high - low) * ((nextLong() ushr 11) / TWO_TO_53)
+
+    /** Returns a number in 0 until [bound]. */
+    fun below(bound: Int): Int = Math.floorMod(nextLong(), bound.toLong()).toInt()
+
+    override fun toString(): String = "SplitMix($state)"
+
+    private companion object {
+        val GAMMA = 0x9E3779B97F4A7C15uL.toLong()
+        val FIRST = 0xBF58476D1CE4E5B9uL.toLong()
+        val SECOND = 0x94D049BB133111EBuL.toLong()
+        const val TWO_TO_53 = 9007199254740992.0
     }
 }

@@ -8,8 +8,8 @@ import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.StreamedScene
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.scenes.obj.streaming.ObjStreaming
-import dev.lazyz.scenes.ply.streaming.PlyStreaming
+import dev.lazyz.scenes.obj.ObjStreaming
+import dev.lazyz.scenes.ply.PlyStreaming
 import dev.lazyz.scenes.stl.StlStreaming
 import dev.lazyz.scenes.streaming.StreamedInput
 import dev.lazyz.world.Scene

@@ -1,7 +1,6 @@
 package dev.lazyz.scenes.images
 
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.images.containers.NeededParts
 import java.awt.image.BufferedImage
 import java.io.ByteArrayInputStream
 import java.io.IOException

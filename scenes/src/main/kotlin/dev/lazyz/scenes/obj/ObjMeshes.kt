@@ -1,9 +1,12 @@
 package dev.lazyz.scenes.obj
 
+import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.MeshParts
 import dev.lazyz.scenes.meshes.MissingNormals
+import dev.lazyz.scenes.meshes.Triangulation
+import dev.lazyz.scenes.meshes.VertexPositions
 import dev.lazyz.scenes.obj.materials.MtlMaterial
 import dev.lazyz.world.surface.Mesh
 import java.util.BitSet
@@ -145,4 +148,72 @@ internal class ObjMeshes(
 
     private fun vertex(corner: Int, vertices: CornerVertices): Int =
         vertices.vertex(faces.positions[corner], faces.textures[corner], faces.normals[corner])
+}
+
+/**
+ * Merges equal corners of faces: corners with the same position, texture coordinate and normal become one vertex. Not
+ * thread safe.
+ *
+ * @param expected number of vertices to reserve memory for
+ */
+internal class CornerVertices(expected: Int) {
+    private val corners = DistinctTriples(expected)
+
+    /** Number of vertices. */
+    val size: Int get() = corners.size
+
+    /**
+     * Returns the number of the vertex for a corner. Adds a vertex if there is none yet. -1 stands for a missing
+     * texture coordinate or normal.
+     */
+    fun vertex(position: Int, texture: Int, normal: Int): Int = corners.add(position, texture, normal)
+
+    fun position(vertex: Int): Int = corners.get(vertex, 0)
+
+    /** Returns x, y, z of each vertex, given those of all positions. */
+    fun positions(from: FloatArray): FloatArray = gather(from, 0, 3)
+
+    /** Returns u, v of each vertex, given those of all texture coordinates. They are 0 for a vertex without any. */
+    fun textures(from: FloatArray): FloatArray = gather(from, 1, 2)
+
+    /** Returns x, y, z of each vertex's normal, given those of all normals. They are 0 for a vertex without one. */
+    fun normals(from: FloatArray): FloatArray = gather(from, 2, 3)
+
+    private fun gather(from: FloatArray, place: Int, width: Int): FloatArray {
+        val result = FloatArray(width * size)
+        for (vertex in 0 until size) {
+            val number = corners.get(vertex, place)
+            if (number >= 0) from.copyInto(result, width * vertex, width * number, width * (number + 1))
+        }
+        return result
+    }
+}
+
+/** Triangulates [faces]. Not thread safe. */
+internal class FaceCutting(
+    private val source: Source,
+    private val faces: FaceTable,
+    private val positions: VertexPositions,
+) {
+    /** Adds the corners of the triangles of [face] to [corners], as numbers among the corners of all faces. */
+    fun cut(face: Int, corners: Ints) {
+        val start = faces.start(face)
+        val count = faces.end(face) - start
+        source.step(count)
+        if (count == 3) {
+            corners.add(start, start + 1, start + 2)
+            return
+        }
+        val isSmall = count <= Triangulation.MAX_CORNERS
+        val local = if (isSmall) Triangulation.triangles(xyz(start, count), source::step) else null
+        if (local == null) {
+            val what = "line ${faces.line(face)}: a face of $count corners"
+            source.warn("", what, ", ${Triangulation.TOO_MANY}, is left out")
+            return
+        }
+        for (corner in local) corners.add(start + corner)
+    }
+
+    private fun xyz(start: Int, count: Int): DoubleArray =
+        DoubleArray(3 * count) { positions.get(faces.positions[start + it / 3], it % 3).toDouble() }
 }

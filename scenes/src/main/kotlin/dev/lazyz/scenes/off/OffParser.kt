@@ -1,13 +1,17 @@
 package dev.lazyz.scenes.off
 
 import dev.lazyz.geometry.Box
+import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.FarOrigin
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.MissingNormals
 import dev.lazyz.scenes.meshes.PolygonMesh
+import dev.lazyz.scenes.meshes.Polygons
+import dev.lazyz.scenes.meshes.VertexArrays
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
+import org.joml.Vector3dc
 
 /**
  * Reads the Object File Format in its ASCII form (M. Phillips, S. Levy and T. Munzner, "Geomview Manual", version 1.9,
@@ -41,5 +45,139 @@ internal object OffParser : SceneParser {
             return Scene(reader.vertices.points())
         }
         return Scene(listOf(MissingNormals.computed(source, triangles.mesh(Material()), CREASE_ANGLE)))
+    }
+}
+
+/**
+ * Reads the tables of a file: each vertex is one line, and each face begins on a new line. Not thread safe.
+ *
+ * @param origin the point to subtract from all positions
+ */
+internal class OffReader(private val source: Source, private val origin: Vector3dc) {
+    private val line = OffLine(source)
+    private val header = OffHeader.read(source, line)
+
+    private var longRows = 0
+    private var hasUndeclaredColors = false
+
+    /** The vertices, after they have been read. */
+    lateinit var vertices: VertexArrays
+        private set
+
+    /** The faces, after they have been read. */
+    val polygons = Polygons()
+
+    /** Reads the vertices. Call [readFaces] afterwards. */
+    fun readVertices() {
+        val count = header.vertexCount
+        if (count > line.bytesLeft / LEAST_VERTEX_BYTES + 1) {
+            line.fail("$count vertices are announced, but the remaining ${line.bytesLeft} bytes are too few for them")
+        }
+        source.loading.vertices(source, count.toLong())
+        vertices = VertexArrays(
+            FloatArray(3 * count),
+            if (header.hasNormals) FloatArray(3 * count) else null,
+            if (header.hasPlaces) FloatArray(2 * count) else null,
+            if (header.hasColors) FloatArray(4 * count) else null,
+            origin,
+        )
+        val colors = OffColors()
+        for (vertex in 0 until count) {
+            if (!line.next()) cutOff("vertices", vertex, count)
+            if (!readVertex(vertices, vertex, colors)) longRows++
+        }
+        if (header.isPlain && count > 0 && colors.size == count && colors.areEvident()) {
+            hasUndeclaredColors = true
+            longRows = 0
+            vertices = VertexArrays(vertices.positions, colors = FloatArray(4 * count), origin = origin)
+        }
+        vertices.colors?.let { for (i in it.indices) it[i] = colors.channel(i / 4, i % 4) }
+    }
+
+    /**
+     * Reads a vertex from the line. Returns false if numbers are left over, for example because they are not a colour.
+     */
+    private fun readVertex(to: VertexArrays, vertex: Int, colors: OffColors): Boolean {
+        val plain = header.plainNumbers
+        if (line.count < plain) line.fail("the vertex has ${line.count} numbers, not $plain")
+        for (axis in 0 until 3) to.positions[3 * vertex + axis] = (line.numbers[axis] - origin.get(axis)).toFloat()
+        var at = 3
+        if (to.normals != null) {
+            copy(at, to.normals, 3 * vertex, 3)
+            at += 3
+        }
+        val colorCount = line.count - plain
+        if (to.colors != null && colorCount in 3..4) {
+            colors.add(line, at, colorCount)
+            at += colorCount
+        } else if (to.colors != null) {
+            colors.addWhite()
+        } else if (header.isPlain && colorCount in 3..4 && colors.size == vertex) {
+            // Numbers that the header does not declare; they can be colours only if all vertices have them
+            colors.add(line, at, colorCount)
+        }
+        if (to.uvs != null) {
+            to.uvs[2 * vertex] = line.numbers[at++].toFloat()
+            to.uvs[2 * vertex + 1] = (1.0 - line.numbers[at++]).toFloat()
+        }
+        return at == line.count
+    }
+
+    private fun copy(from: Int, to: FloatArray, at: Int, count: Int) {
+        for (i in 0 until count) to[at + i] = line.numbers[from + i].toFloat()
+    }
+
+    /** Reads the faces into [polygons], and reports the numbers that were ignored. */
+    fun readFaces() {
+        if (hasUndeclaredColors) {
+            source.warn("vertices have numbers that the header does not declare; they are read as colours")
+        }
+        if (longRows > 0) source.warn("$longRows vertices have numbers that do not fit the header and are ignored")
+        val colors = OffColors()
+
+        // For each colour, the number of its polygon
+        val polygonOf = Ints()
+        var tooSmall = 0
+        var oddColors = 0
+        for (face in 0 until header.faceCount) {
+            if (!line.next()) cutOff("faces", face, header.faceCount)
+            val corners = line.whole(0, "the number of corners")
+            if (corners == Int.MAX_VALUE || !line.extend(1 + corners)) {
+                line.fail("the file ends within a face of $corners corners", "export or copy the model again")
+            }
+            if (corners < 3) {
+                tooSmall++
+                continue
+            }
+            polygons.begin(corners)
+            for (i in 1..corners) polygons.add(line.whole(i, "the number of a vertex", header.vertexCount - 1))
+            val colorCount = line.count - 1 - corners
+            if (colorCount in 3..4) {
+                polygonOf.add(polygons.count - 1)
+                colors.add(line, corners + 1, colorCount)
+            } else if (colorCount > 0) {
+                oddColors++
+            }
+        }
+        source.step(polygonOf.size)
+        for (i in 0 until polygonOf.size) polygons.color(polygonOf[i], number(colors, i))
+        if (tooSmall > 0) source.warn("$tooSmall faces of fewer than 3 corners are left out")
+        if (oddColors > 0) {
+            source.warn("$oddColors faces have a colour that is not three or four numbers; it is not used")
+        }
+    }
+
+    private fun number(colors: OffColors, color: Int): Int = polygons.colors.add(
+        colors.channel(color, 0),
+        colors.channel(color, 1),
+        colors.channel(color, 2),
+        colors.channel(color, 3),
+    )
+
+    private fun cutOff(what: String, present: Int, count: Int): Nothing =
+        line.fail("the file ends after $present of $count $what", "export or copy the model again")
+
+    private companion object {
+        const val LEAST_VERTEX_BYTES = 6
     }
 }

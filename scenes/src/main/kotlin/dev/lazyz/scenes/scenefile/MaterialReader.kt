@@ -1,13 +1,24 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.scenes.Tint
+import dev.lazyz.scenes.html.Html
+import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.writers.PngSink
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap
+import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureEncoding
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureMap
+import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.material.UvTransform
+import java.io.ByteArrayOutputStream
+import java.util.Base64
 
 /** Reads materials and their maps. */
 internal class MaterialReader(source: Source) {
@@ -78,5 +89,86 @@ internal class MaterialReader(source: Source) {
         val members = node.members("map", "strength")
         val map = textures.read(members.required("map"), TextureEncoding.LINEAR) ?: return null
         return node.checked { OcclusionMap(map, members["strength"]?.float() ?: 1f) }
+    }
+}
+
+/** Reads textures and how they are laid on surfaces. An image that several of them use is read once. */
+internal class TextureMapReader(private val source: Source) {
+    private val pictures = HashMap<String, Texture?>()
+
+    /**
+     * Returns the map that [node] describes: the name of a file, or an object. Null, with a warning, if its file is
+     * missing or cannot be read.
+     *
+     * @param plain the meaning of the codes if the file does not say
+     */
+    fun read(node: JsonNode, plain: TextureEncoding): TextureMap? {
+        if (node.isText) return picture(node)?.let { TextureMap(it.withEncoding(plain)) }
+        val members = node.members("image", "filter", "mipFilter", "wrap", "name", "encoding", "uvSet", "transform")
+        val picture = picture(members.required("image")) ?: return null
+        val filter = members["filter"]?.choice(SceneFileNames.filters) ?: TextureFilter.BILINEAR
+        val mipFilter = members["mipFilter"]?.choice(SceneFileNames.mipFilters) ?: MipFilter.ANISOTROPIC
+        val (wrapU, wrapV) = members["wrap"]?.let(::wraps) ?: (TextureWrap.REPEAT to TextureWrap.REPEAT)
+        val name = members["name"]?.text() ?: picture.name
+        val encoding = members["encoding"]?.choice(SceneFileNames.encodings) ?: plain
+        val texture = picture.withSampling(filter, wrapU, wrapV, mipFilter).withName(name).withEncoding(encoding)
+        val transform = members["transform"]?.let(::transform) ?: UvTransform.IDENTITY
+        return node.checked { TextureMap(texture, members["uvSet"]?.integer() ?: 0, transform) }
+    }
+
+    private fun transform(node: JsonNode): UvTransform {
+        val members = node.members("scale", "rotation", "offset")
+        val scale = members["scale"]?.doubles(2) ?: doubleArrayOf(1.0, 1.0)
+        val offset = members["offset"]?.doubles(2) ?: doubleArrayOf(0.0, 0.0)
+        val rotation = members["rotation"]?.double() ?: 0.0
+        return node.checked { UvTransform(scale[0], scale[1], rotation, offset[0], offset[1]) }
+    }
+
+    private fun wraps(node: JsonNode): Pair<TextureWrap, TextureWrap> {
+        if (node.isText) return node.choice(SceneFileNames.wraps).let { it to it }
+        val items = node.items()
+        if (items.size != 2) node.fail("needs 2 names, across and down, not ${items.size}")
+        return items[0].choice(SceneFileNames.wraps) to items[1].choice(SceneFileNames.wraps)
+    }
+
+    /** Returns the image, or null with a warning if its file is missing or cannot be read. */
+    private fun picture(node: JsonNode): Texture? {
+        val reference = node.text()
+        if (reference !in pictures) {
+            val isEmbedded = EmbeddedImage.isEmbedded(reference)
+            pictures[reference] =
+                if (isEmbedded) EmbeddedImage.read(source, node) else TextureFiles.find(source, reference)
+        }
+        return pictures[reference]
+    }
+}
+
+/** An image within a scene file: a PNG as a `data:` URI (RFC 2397) that keeps every texel unchanged. */
+internal object EmbeddedImage {
+    fun isEmbedded(reference: String): Boolean = reference.startsWith("data:")
+
+    fun write(texture: Texture): String {
+        val bytes = ByteArrayOutputStream()
+        val row = IntArray(texture.width)
+        PngSink(bytes, texture.width, texture.height).use { sink ->
+            for (y in 0 until texture.height) {
+                for (x in row.indices) row[x] = texture.texel(x, y)
+                sink.row(y, row, row, row)
+            }
+        }
+        return Html.pngUri(bytes.toByteArray())
+    }
+
+    fun read(source: Source, node: JsonNode): Texture {
+        val reference = node.text()
+        if (!reference.startsWith(Html.PNG_URI)) {
+            node.fail("embedded picture is not a PNG in base64: ${reference.take(40)}", "begin it with ${Html.PNG_URI}")
+        }
+        val bytes = try {
+            Base64.getDecoder().decode(reference.substring(Html.PNG_URI.length))
+        } catch (e: IllegalArgumentException) {
+            node.fail("embedded picture is not base64: ${e.message}", "embed it again")
+        }
+        return TextureFiles.decode(source, bytes, "") ?: node.fail("embedded picture is not a PNG", "embed it again")
     }
 }

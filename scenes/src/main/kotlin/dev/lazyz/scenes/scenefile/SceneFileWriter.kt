@@ -7,9 +7,12 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Falloff
 import dev.lazyz.world.FittedViewpoint
+import dev.lazyz.world.Light
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
@@ -18,6 +21,8 @@ import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
 import dev.lazyz.world.surface.Vertex
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /** Writes a whole scene file. */
 internal class SceneFileWriter(private val out: Appendable) {
@@ -150,4 +155,71 @@ internal class SceneFileWriter(private val out: Appendable) {
         private fun isKnown(surface: Surface): Boolean =
             surface is Mesh || surface is Polygon || surface is Sphere || surface is Points || surface is Lines
     }
+}
+
+/** Writes the lights and the tone mapping of a scene file. */
+internal object LightWriter {
+    fun write(out: JsonWriter, light: Light) = out.members {
+        when (light) {
+            is Light.Ambient -> key("ambient").members { key("color").color(light.color) }
+            is Light.Directional -> key("directional").members {
+                key("direction").vector(light.direction)
+                key("color").color(light.color)
+            }
+            is Light.Point -> key("point").members {
+                key("position").vector(light.position)
+                key("color").color(light.color)
+                falloff(this, light.falloff)
+            }
+            is Light.Spot -> key("spot").members {
+                key("position").vector(light.position)
+                key("direction").vector(light.direction)
+                key("color").color(light.color)
+                key("innerAngle").double(light.innerAngle)
+                key("outerAngle").double(light.outerAngle)
+                falloff(this, light.falloff)
+            }
+        }
+    }
+
+    private fun falloff(out: JsonWriter, falloff: Falloff) {
+        if (falloff == Falloff.NONE) return
+        out.key("falloff").text(SceneFileNames.INVERSE_SQUARE)
+        if (falloff.range.isFinite()) out.key("range").double(falloff.range)
+    }
+
+    fun write(out: JsonWriter, toneMapping: ToneMapping) = out.members {
+        key("curve").text(SceneFileNames.of(toneMapping.curve))
+        key("exposure").double(toneMapping.exposure)
+    }
+}
+
+/** Writes points and lines inline, as numbers. */
+internal object PointWriter {
+    fun write(out: JsonWriter, points: Points) = out.members {
+        key("size").double(points.size)
+        origin(points.origin)
+        numbers(key("positions"), points.positions)
+        points.normals?.let { numbers(key("normals"), it) }
+        points.colors?.let { numbers(key("colors"), it) }
+    }
+
+    fun write(out: JsonWriter, lines: Lines) = out.members {
+        key("width").double(lines.width)
+        origin(lines.origin)
+        numbers(key("positions"), lines.positions)
+        key("segments").long(lines.segments.size) { integer(lines.segments[it]) }
+        lines.colors?.let { numbers(key("colors"), it) }
+    }
+
+    private fun numbers(out: JsonWriter, numbers: FloatArray) = out.run { long(numbers.size) { float(numbers[it]) } }
+}
+
+private val WORLD_ORIGIN = Vector3d()
+
+internal fun JsonWriter.vector(v: Vector3dc) = doubles(v.x(), v.y(), v.z())
+
+/** Writes the key `origin`, unless it is the world's origin. */
+internal fun JsonWriter.origin(origin: Vector3dc) {
+    if (origin != WORLD_ORIGIN) key("origin").vector(origin)
 }

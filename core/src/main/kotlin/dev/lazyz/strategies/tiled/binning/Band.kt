@@ -7,7 +7,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.VisibilityOrder
-import dev.lazyz.setup.planar.PlanarPrimitive
+import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong

@@ -1,7 +1,7 @@
 package dev.lazyz.strategies.tiled.binning
 
 import dev.lazyz.DepthTest
-import dev.lazyz.setup.planar.TriangleBatch
+import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.strategies.tiled.raster.SmallCoverage
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms

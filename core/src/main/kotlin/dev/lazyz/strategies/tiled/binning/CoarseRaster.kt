@@ -2,7 +2,7 @@ package dev.lazyz.strategies.tiled.binning
 
 import dev.lazyz.raster.Edge
 import dev.lazyz.raster.ScreenGrid
-import dev.lazyz.setup.planar.TriangleBatch
+import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.strategies.tiled.raster.TileGrid
 
 /** The coarse raster: the tiles of [area] that a triangle reaches. Reused for each triangle; belongs to one thread. */

@@ -1,7 +1,7 @@
 package dev.lazyz.strategies.tiled.binning
 
 import dev.lazyz.raster.ScreenGrid
-import dev.lazyz.setup.planar.TriangleBatch
+import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.strategies.tiled.raster.SmallCoverage
 import jdk.incubator.vector.IntVector
 import jdk.incubator.vector.VectorOperators

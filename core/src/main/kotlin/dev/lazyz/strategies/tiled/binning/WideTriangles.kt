@@ -3,7 +3,7 @@ package dev.lazyz.strategies.tiled.binning
 import dev.lazyz.Checkpoint
 import dev.lazyz.DepthTest
 import dev.lazyz.FrameContent
-import dev.lazyz.setup.planar.triangleBatchWith
+import dev.lazyz.setup.triangleBatchWith
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 

@@ -3,9 +3,9 @@ package dev.lazyz.strategies.tiled.resolve
 import dev.lazyz.Fragment
 import dev.lazyz.FrameContent
 import dev.lazyz.HeapLayout
-import dev.lazyz.setup.planar.FaceSetUp
-import dev.lazyz.setup.planar.PlanarPrimitive
-import dev.lazyz.setup.planar.triangleBatch
+import dev.lazyz.setup.FaceSetUp
+import dev.lazyz.setup.PlanarPrimitive
+import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.Vertices
 
 /**

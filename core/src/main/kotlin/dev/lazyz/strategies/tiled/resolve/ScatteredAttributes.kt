@@ -3,8 +3,8 @@ package dev.lazyz.strategies.tiled.resolve
 import dev.lazyz.Attributes
 import dev.lazyz.FragmentBatch
 import dev.lazyz.raster.ScreenGrid
-import dev.lazyz.setup.planar.FaceSetUp
-import dev.lazyz.setup.planar.TriangleBatch
+import dev.lazyz.setup.FaceSetUp
+import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.shading.Vertices
 
 /**

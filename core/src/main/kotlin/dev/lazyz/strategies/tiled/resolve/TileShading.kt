@@ -11,7 +11,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Shader
 import dev.lazyz.bytes
-import dev.lazyz.setup.planar.triangleBatch
+import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.LateShading
 import dev.lazyz.strategies.tiled.binning.Band
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer

@@ -2,8 +2,8 @@ package dev.lazyz.strategies.tiled.binning
 
 import dev.lazyz.DepthTest
 import dev.lazyz.Region
-import dev.lazyz.setup.planar.TriangleBatch
-import dev.lazyz.setup.planar.triangleBatch
+import dev.lazyz.setup.TriangleBatch
+import dev.lazyz.setup.triangleBatch
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 import dev.lazyz.world.Camera

@@ -1,7 +1,7 @@
 package dev.lazyz.strategies.tiled.binning
 
-import dev.lazyz.setup.planar.TriangleBatch
-import dev.lazyz.setup.planar.triangleBatch
+import dev.lazyz.setup.TriangleBatch
+import dev.lazyz.setup.triangleBatch
 import dev.lazyz.strategies.tiled.Kernels
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene

@@ -6,7 +6,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.setup.planar.triangleBatch
+import dev.lazyz.setup.triangleBatch
 import dev.lazyz.strategies.tiled.Tiled
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms

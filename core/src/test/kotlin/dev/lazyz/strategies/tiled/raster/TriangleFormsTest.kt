@@ -5,8 +5,8 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.samples
-import dev.lazyz.setup.planar.PlanarPrimitive
-import dev.lazyz.setup.planar.triangleBatch
+import dev.lazyz.setup.PlanarPrimitive
+import dev.lazyz.setup.triangleBatch
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material

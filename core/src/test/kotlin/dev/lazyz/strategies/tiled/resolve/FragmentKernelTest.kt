@@ -6,9 +6,9 @@ import dev.lazyz.FragmentBatch
 import dev.lazyz.Frame
 import dev.lazyz.Spans
 import dev.lazyz.samples
-import dev.lazyz.setup.planar.PlanarPrimitive
-import dev.lazyz.setup.planar.TriangleBatch
-import dev.lazyz.setup.planar.triangleBatch
+import dev.lazyz.setup.PlanarPrimitive
+import dev.lazyz.setup.TriangleBatch
+import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.Vertices
 import dev.lazyz.strategies.tiled.Kernels
 import dev.lazyz.strategies.zbuffer.ZBuffer

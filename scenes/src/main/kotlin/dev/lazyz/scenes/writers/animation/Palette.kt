@@ -75,3 +75,121 @@ internal class Palette private constructor(val colors: IntArray, hasTransparency
         }
     }
 }
+
+/**
+ * Chooses colours for the pixels of a [histogram]: boxes of cells are split at the mean of their most varied channel,
+ * the box with the greatest sum of squared deviations first. A colour is the mean of the pixels in a box.
+ */
+internal class MedianCut(private val histogram: ColorHistogram) {
+    private val cells = histogram.filledCells()
+
+    /** Returns at most [most] colours, `0xFFRRGGBB`. */
+    fun colors(most: Int): List<Int> {
+        val boxes = ArrayList<Box>()
+        if (cells.isNotEmpty()) boxes.add(Box(0, cells.size))
+        while (boxes.size < most) {
+            val widest = boxes.filter { it.end - it.start > 1 }.maxByOrNull { it.deviation } ?: break
+            boxes.remove(widest)
+            boxes.addAll(widest.split())
+        }
+        return boxes.map { it.color }
+    }
+
+    /** The cells from number [start] to before [end]. */
+    private inner class Box(val start: Int, val end: Int) {
+        private val count = (start until end).sumOf { histogram.count(cells[it]) }
+        private val means = DoubleArray(ColorHistogram.CHANNELS) { sum(it).toDouble() / count }
+        private val deviations = DoubleArray(ColorHistogram.CHANNELS) { deviation(it) }
+
+        /** The greatest sum of squared deviations of a channel. */
+        val deviation: Double = deviations.max()
+
+        /** The mean colour. */
+        val color: Int
+            get() = means.fold(0xFF) { color, mean -> color shl 8 or (mean + 0.5).toInt().coerceAtMost(255) }
+
+        private fun sum(channel: Int): Long = (start until end).sumOf { histogram.sum(cells[it], channel) }
+
+        /** Returns the sum of squared deviations of the means of cells from that of the box. */
+        private fun deviation(channel: Int): Double {
+            var total = 0.0
+            for (i in start until end) {
+                val d = mean(cells[i], channel) - means[channel]
+                total += d * d * histogram.count(cells[i])
+            }
+            return total
+        }
+
+        private fun mean(cell: Int, channel: Int): Double =
+            histogram.sum(cell, channel).toDouble() / histogram.count(cell)
+
+        /** Sorts the cells by the most varied channel, and returns those up to the mean, and the others. */
+        fun split(): List<Box> {
+            val channel = deviations.indices.maxByOrNull { deviations[it] } ?: 0
+            val sorted = cells.slice(start until end).sortedBy { mean(it, channel) }
+            for ((i, cell) in sorted.withIndex()) cells[start + i] = cell
+            val below = sorted.count { mean(it, channel) <= means[channel] }
+            val middle = start + below.coerceIn(1, end - start - 1)
+            return listOf(Box(start, middle), Box(middle, end))
+        }
+    }
+}
+
+/**
+ * Counts the colours of frames: exactly while there are at most [MOST_EXACT], and in cells of 64 x 64 x 64 always.
+ *
+ * A cell keeps the number of its pixels and the sums of their channels.
+ */
+internal class ColorHistogram {
+    private val counts = LongArray(CELLS)
+    private val sums = Array(CHANNELS) { LongArray(CELLS) }
+    private val exact = HashSet<Int>()
+
+    /** Whether a pixel is transparent. */
+    var hasTransparency: Boolean = false
+        private set
+
+    /** The distinct colours, `0xFFRRGGBB`, in ascending order; null if there are more than [MOST_EXACT]. */
+    val exactColors: IntArray? get() = if (exact.size > MOST_EXACT) null else exact.toIntArray().apply { sort() }
+
+    /** Adds the pixels of a frame; with [hasAlpha], those with an alpha below one half are only noted. */
+    fun add(argb: IntArray, hasAlpha: Boolean) {
+        var last = 0
+        for (color in argb) {
+            if (hasAlpha && isTransparent(color)) {
+                hasTransparency = true
+                continue
+            }
+            val opaque = color or OPAQUE
+            val cell = cell(opaque)
+            counts[cell]++
+            for (channel in 0 until CHANNELS) sums[channel][cell] += channel(opaque, channel).toLong()
+            if (opaque != last && exact.size <= MOST_EXACT) exact.add(opaque)
+            last = opaque
+        }
+    }
+
+    /** Returns the cells that have pixels, in ascending order. */
+    fun filledCells(): IntArray = (0 until CELLS).filter { counts[it] > 0 }.toIntArray()
+
+    fun count(cell: Int): Long = counts[cell]
+
+    fun sum(cell: Int, channel: Int): Long = sums[channel][cell]
+
+    companion object {
+        const val MOST_EXACT: Int = 256
+        const val CHANNELS: Int = 3
+        const val CELLS: Int = 1 shl 18
+        private const val OPAQUE = 0xFF shl 24
+
+        /** Returns the cell of a colour: the upper six bits of red, green and blue. */
+        fun cell(color: Int): Int =
+            (color ushr 18 and 63 shl 12) or (color ushr 10 and 63 shl 6) or (color ushr 2 and 63)
+
+        /** Returns red, green or blue of a colour, 0..255. */
+        fun channel(color: Int, channel: Int): Int = color ushr (16 - 8 * channel) and 0xFF
+
+        /** Whether alpha is below one half. */
+        fun isTransparent(color: Int): Boolean = color ushr 24 < 128
+    }
+}
