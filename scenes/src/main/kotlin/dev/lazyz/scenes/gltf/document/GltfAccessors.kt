@@ -1,6 +1,5 @@
 package dev.lazyz.scenes.gltf.document
 
-
 /**
  * Reads accessors (section 3.6.2) into arrays. Each accessor is read once.
  *
