@@ -35,8 +35,8 @@ class DiagnosisTest {
         Diagnosis.ofBroken(broken.toList()).causes.map { it.rule.name }
 
     /**
-     * A line for each mistake and each set of symptoms that failures of rules have at a fifth of the default effort, and
-     * these rules. `-Dlazyz.record=true` rewrites it, which takes minutes.
+     * A line for each mistake and each set of symptoms that failures of rules have at a fifth of the default effort,
+     * and these rules. `-Dlazyz.record=true` rewrites it, which takes minutes.
      */
     private fun recorded(): Map<Mistake, List<Diagnosis.Broken>> {
         val lines = record.readLines().drop(1).map { it.split(',') }.groupBy { (id) -> id }
