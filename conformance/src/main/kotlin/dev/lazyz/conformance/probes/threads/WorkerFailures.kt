@@ -16,11 +16,11 @@ import dev.lazyz.conformance.probes.Planted
 import dev.lazyz.conformance.probes.Question
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.changed
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.Executor
 import java.util.concurrent.atomic.AtomicBoolean
 import java.util.concurrent.atomic.AtomicInteger
-import java.util.concurrent.atomic.AtomicLong
 import java.util.concurrent.locks.LockSupport
 
 /** Fails unless what a primitive throws in one of [renderer]'s own threads reaches the caller unchanged. */
@@ -103,7 +103,7 @@ internal fun finishesIfWorkersAreInterrupted(renderer: Renderer) {
 
 /**
  * Fails if a rendering that fails leaves a thread of the caller's executor interrupted. The caller's part fails while
- * the workers wait to be interrupted, for a moment at most: after it, no query waits any longer.
+ * the workers wait to be interrupted, in the first query of each and for a moment at most.
  */
 internal fun leavesNoInterrupt(renderer: Renderer) {
     val isLeft = AtomicBoolean()
@@ -122,10 +122,10 @@ internal fun leavesNoInterrupt(renderer: Renderer) {
     }
     val configured = renderer.configured(RenderOptions(threads = 4, tileSize = 8, executor = executor))
     repeat(ATTEMPTS) {
-        val waitsUntil = AtomicLong(NEVER)
+        val waited = ConcurrentHashMap.newKeySet<Thread>()
         val workers = Workers(Thread.currentThread(), { throw Planted.EXCEPTION.make() }) {
-            waitsUntil.compareAndSet(NEVER, System.nanoTime() + BRIEF)
-            awaitUntil(waitsUntil.get() - System.nanoTime()) { Thread.currentThread().isInterrupted }
+            val worker = Thread.currentThread()
+            if (waited.add(worker)) awaitUntil(BRIEF) { worker.isInterrupted }
         }
         answer { Rendering.of(configured, workers.frame) }
 
@@ -139,12 +139,11 @@ internal fun leavesNoInterrupt(renderer: Renderer) {
 }
 
 private const val MILLISECOND = 1_000_000L
-private const val NEVER = Long.MIN_VALUE
 
-/** Nanoseconds from the first query of a worker in which workers wait for an interrupt. */
+/** Nanoseconds of its processor time that a worker waits for an interrupt. */
 private const val BRIEF = 20_000_000L
 
-/** Milliseconds to wait for the tasks of a failed rendering to end. */
+/** Milliseconds of processor time to wait for the tasks of a failed rendering to end. */
 private const val PATIENCE = 20_000L
 
 private class InterruptedCaller(private val renderer: Renderer, private val isBefore: Boolean) : Runnable {
@@ -222,10 +221,10 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
     private companion object {
         val ASLEEP = setOf(Thread.State.WAITING, Thread.State.TIMED_WAITING, Thread.State.BLOCKED)
 
-        /** Nanoseconds in which the caller usually finishes its own part of the work. */
+        /** Nanoseconds of processor time in which the caller usually finishes its own part of the work. */
         const val WAIT = 200_000_000L
 
-        /** Nanoseconds in which a thread continues after it was woken up. */
+        /** Nanoseconds of processor time in which a thread continues after it was woken up. */
         const val MOMENT = 30_000_000L
 
         /** Number of slow answers after the interrupt, and nanoseconds that each takes. */

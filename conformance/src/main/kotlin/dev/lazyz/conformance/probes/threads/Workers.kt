@@ -12,6 +12,7 @@ import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.probes.Question
 import dev.lazyz.conformance.probes.answer
+import java.lang.management.ManagementFactory
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.LockSupport
 
@@ -77,7 +78,7 @@ internal class Workers(
         private const val SIDE = 64
         private const val COUNT = 4
 
-        /** Nanoseconds that the caller waits for a worker, once. */
+        /** Nanoseconds of its processor time that the caller waits for a worker, once. */
         private const val PATIENCE = 80_000_000L
 
         /** Returns the frame with primitives that do not distinguish threads. */
@@ -87,13 +88,20 @@ internal class Workers(
 }
 
 /**
- * Waits until [condition] is true, or for this number of nanoseconds. It does not sleep: the thread may have been
- * interrupted, and other threads watch whether it is waiting.
+ * Waits until [condition] is true, or the wait has used this number of nanoseconds of a processor, however long the
+ * machine was busy with something else meanwhile. It does not sleep: the thread may have been interrupted, and other
+ * threads watch whether it is waiting.
  */
 internal fun awaitUntil(nanoseconds: Long, condition: () -> Boolean) {
-    val start = System.nanoTime()
-    while (!condition() && System.nanoTime() - start < nanoseconds) Thread.yield()
+    val start = processorTime()
+    while (!condition() && processorTime() - start < nanoseconds) Thread.yield()
 }
+
+/** Returns the nanoseconds of a processor that this thread has used; the time on the wall where no JVM measures them. */
+private fun processorTime(): Long =
+    if (times.isCurrentThreadCpuTimeSupported) times.currentThreadCpuTime else System.nanoTime()
+
+private val times = ManagementFactory.getThreadMXBean()
 
 /**
  * Fails if [renderer]'s own threads query primitives after a rendering has ended with a failure on the caller's thread.
