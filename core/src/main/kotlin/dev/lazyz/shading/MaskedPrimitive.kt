@@ -3,7 +3,6 @@ package dev.lazyz.shading
 import dev.lazyz.Fragment
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
-import dev.lazyz.Shader
 import dev.lazyz.ShadingCursor
 import dev.lazyz.Spans
 
@@ -50,20 +49,4 @@ internal class MaskedPrimitive(
     override fun shadingCursor(x: Int, y: Int): ShadingCursor? = whole.shadingCursor(x, y)
 
     override fun toString(): String = "MaskedPrimitive($whole)"
-}
-
-/** A primitive whose interpolated attributes can be computed without a shading call. */
-internal interface AttributedPrimitive : Primitive {
-    /** Computes the colour from the [attributes]. */
-    val shader: Shader
-
-    /** Sets the attributes of [fragment] that shading needs to those at its sample. */
-    fun attributes(fragment: Fragment)
-
-    override fun shade(fragment: Fragment) {
-        attributes(fragment)
-        shader.shade(fragment)
-    }
-
-    override fun geometry(fragment: Fragment): Unit = attributes(fragment)
 }

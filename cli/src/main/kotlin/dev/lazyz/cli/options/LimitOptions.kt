@@ -4,12 +4,6 @@ import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
-import dev.lazyz.Coherence
-import dev.lazyz.RenderOptions
-import dev.lazyz.Selector
-import dev.lazyz.cli.output.BlankPictures
-import dev.lazyz.cli.output.Streams
-import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.ReferencePolicy
 import java.time.Duration
@@ -74,51 +68,5 @@ internal class LimitOptions : OptionGroup("Limits (for untrusted input)") {
 
     private companion object {
         const val MILLISECONDS = 1000
-    }
-}
-
-/** Options that change time and memory of the rendering. */
-internal class CostOptions : OptionGroup("Cost (the picture stays the same; see 'zcli strategies --long')") {
-    private val memoryBudget by option(
-        "--memory-budget",
-        help = "Maximum working memory of a strategy that can limit it, without the picture and the scene: bytes, or " +
-            "with k, m, g (64k, 16MiB); default: no limit. --memory, in contrast, is for the whole program",
-    ).bytes()
-
-    private val coherence by option(
-        "--coherence",
-        help = "How late shading proceeds from pixel to pixel: direct (each separately), incremental (by steps) or " +
-            "adaptive (the cheaper one); default: direct",
-    ).oneOf("MODE", words(Coherence.entries))
-
-    private val threads by option("--threads", help = "Number of threads, 1 or more; default: one per processor")
-        .count { RenderOptions(threads = it) }
-
-    private val tileSize by option(
-        "--tile-size",
-        help = "Width and height of tiles, a power of two in 8..512; default: ${RenderOptions().tileSize}",
-    ).count { RenderOptions(tileSize = it) }
-
-    fun choices(selector: Selector? = null) = Choices(memoryBudget, coherence, threads, tileSize, selector)
-}
-
-/** Options of what is printed to standard error, and of the exit code. */
-internal class MessageOptions : OptionGroup("Messages and exit code") {
-    private val isQuiet by option(
-        "--quiet",
-        help = "Print no progress to standard error, only warnings and errors; default: what is done is shown if it " +
-            "is a terminal; otherwise, long work prints a line every ten seconds",
-    ).flag()
-
-    private val isBlankMistake by option(
-        "--fail-blank",
-        help = "Exit code 1, and an error in place of a warning, if there is nothing to see in a picture: it is all " +
-            "background, or has one colour; files are still written",
-    ).flag()
-
-    /** Applies the options to [streams], and returns what happens if a picture is blank. */
-    fun applyTo(streams: Streams): BlankPictures {
-        streams.isQuiet = isQuiet
-        return BlankPictures(isBlankMistake)
     }
 }

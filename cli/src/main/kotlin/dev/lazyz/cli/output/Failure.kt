@@ -4,7 +4,6 @@ import com.github.ajalt.clikt.core.MultiUsageError
 import com.github.ajalt.clikt.core.NoSuchOption
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.output.ParameterFormatter
-import dev.lazyz.conformance.report.ShellWords
 import dev.lazyz.scenes.SceneFormatException
 import java.io.IOException
 import java.io.UncheckedIOException
@@ -88,27 +87,6 @@ internal object ExitCode {
 
     /** The machine was too busy to tell whether a strategy conforms: `EX_TEMPFAIL` of sysexits.h. */
     const val INCONCLUSIVE = 75
-}
-
-/** Command lines of zcli as text. */
-internal object CommandLine {
-    /** Returns the command with the words [args], as it is typed in a shell. */
-    fun of(args: List<String>): String = (listOf("zcli") + args).joinToString(" ", transform = ShellWords::quoted)
-
-    /** Returns [args] without the options [names], which have a value each, up to a word `--`. */
-    fun without(args: List<String>, names: Set<String>): List<String> {
-        val end = args.indexOf("--").let { if (it < 0) args.size else it }
-        val kept = ArrayList<String>()
-        var i = 0
-        while (i < end) {
-            val word = args[i++]
-            when {
-                word in names -> i++
-                names.none { word.startsWith(if (it.startsWith("--")) "$it=" else it) } -> kept.add(word)
-            }
-        }
-        return kept + args.drop(end)
-    }
 }
 
 /** The version of zcli, from the manifest of the jar. */

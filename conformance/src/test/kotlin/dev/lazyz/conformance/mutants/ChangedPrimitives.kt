@@ -3,37 +3,29 @@ package dev.lazyz.conformance.mutants
 import dev.lazyz.Fragment
 import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
-import dev.lazyz.SpanCursor
 import dev.lazyz.Spans
+import dev.lazyz.conformance.cases.changed.Recovered
 
 /** A primitive as seen by a renderer that misreads spans. */
-abstract class Misread(private val primitive: Primitive) : Primitive by primitive {
+internal abstract class Misread(primitive: Primitive) : Recovered(primitive) {
     protected abstract fun misread(from: Spans, to: Spans)
 
     override fun spans(y: Int, spans: Spans) {
         val read = Spans()
-        primitive.spans(y, read)
+        whole.spans(y, read)
         misread(read, spans)
-    }
-
-    override fun cursor(y: Int): SpanCursor {
-        var row = y
-        return SpanCursor { spans ->
-            spans.clear()
-            spans(row++, spans)
-        }
     }
 }
 
 /** Every span lacks its last column. */
-class ShortSpans(primitive: Primitive) : Misread(primitive) {
+internal class ShortSpans(primitive: Primitive) : Misread(primitive) {
     override fun misread(from: Spans, to: Spans) {
         for (i in 0 until from.count) if (from.end(i) - 1 > from.start(i)) to.add(from.start(i), from.end(i) - 1)
     }
 }
 
 /** One span from the first start to the last end. */
-class FilledGaps(primitive: Primitive) : Misread(primitive) {
+internal class FilledGaps(primitive: Primitive) : Misread(primitive) {
     override fun misread(from: Spans, to: Spans) {
         if (from.count > 0) to.add(from.start(0), from.end(from.count - 1))
     }

@@ -3,8 +3,9 @@ package dev.lazyz.strategies.tiled
 import dev.lazyz.Frame
 import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
+import dev.lazyz.Region
 import dev.lazyz.raster.ScreenGrid
-import dev.lazyz.raster.reaches
+import dev.lazyz.raster.boundsIn
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.MaskedPrimitive
@@ -88,23 +89,21 @@ internal class TiledMemory(private val frame: Frame, tileSize: Int, private val 
         val all = frame.content.singles
         val changes = LongArray(grid.bands + 1)
         for (primitive in all) {
-            if (!primitive.reaches(region)) continue
-            val bytes = HeapLayout.MEMBER + spanBytes(primitive)
-            changes[grid.bandOf(maxOf(primitive.rowStart, region.rowStart))] += bytes
-            changes[grid.bandOf(minOf(primitive.rowEnd, region.rowEnd) - 1) + 1] -= bytes
+            val box = primitive.boundsIn(region) ?: continue
+            val bytes = HeapLayout.MEMBER + spanBytes(primitive, box)
+            changes[grid.bandOf(box.rowStart)] += bytes
+            changes[grid.bandOf(box.rowEnd - 1) + 1] -= bytes
         }
         val most = changes.asSequence().runningReduce { sum, change -> sum + change }.max()
         return HeapLayout.ARRIVAL * all.size + bandsAtWork * most
     }
 
-    /** Bytes of the spans of a primitive in one band. */
-    private fun spanBytes(primitive: Primitive): Long {
-        val columns = minOf(primitive.columnEnd, region.columnEnd) - maxOf(primitive.columnStart, region.columnStart)
-        val height = minOf(primitive.rowEnd, region.rowEnd) - maxOf(primitive.rowStart, region.rowStart)
-        val mostSpans =
-            if (primitive is MaskedPrimitive) columns.toLong() else primitive.heldBytes / HeapLayout.SPAN_EDGES
-        val rowBytes = Int.SIZE_BYTES + HeapLayout.MEMBER_SPAN * mostSpans.coerceIn(1, maxOf(columns, 1).toLong())
-        return HeapLayout.MEMBER_SPANS + minOf(height, grid.tileHeight) * rowBytes
+    /** Bytes of the spans of a primitive in one band, if [box] is the part of its bounds in the region. */
+    private fun spanBytes(primitive: Primitive, box: Region): Long {
+        val columns = box.width.toLong()
+        val mostSpans = if (primitive is MaskedPrimitive) columns else primitive.heldBytes / HeapLayout.SPAN_EDGES
+        val rowBytes = Int.SIZE_BYTES + HeapLayout.MEMBER_SPAN * mostSpans.coerceIn(1, columns)
+        return HeapLayout.MEMBER_SPANS + minOf(box.height, grid.tileHeight) * rowBytes
     }
 
     /** Returns a number that the translucent fragments of no tile exceed. */
@@ -116,14 +115,12 @@ internal class TiledMemory(private val frame: Frame, tileSize: Int, private val 
         val fragments = LongArray(across * ((region.height - 1) / cell + 1))
         val tile = grid.size.toLong() * grid.size
         for (primitive in frame.content.singles) {
-            if (!primitive.isTranslucent || !primitive.reaches(region)) continue
-            val left = maxOf(primitive.columnStart, region.columnStart) - region.columnStart
-            val right = minOf(primitive.columnEnd, region.columnEnd) - region.columnStart
-            val top = maxOf(primitive.rowStart, region.rowStart) - region.rowStart
-            val bottom = minOf(primitive.rowEnd, region.rowEnd) - region.rowStart
-            val most = minOf((right - left).toLong() * (bottom - top), tile)
-            for (row in top / cell..(bottom - 1) / cell) {
-                for (column in left / cell..(right - 1) / cell) fragments[row * across + column] += most
+            val box = (if (primitive.isTranslucent) primitive.boundsIn(region) else null) ?: continue
+            val most = minOf(box.size, tile)
+            for (row in (box.rowStart - region.rowStart) / cell..(box.rowEnd - 1 - region.rowStart) / cell) {
+                val first = (box.columnStart - region.columnStart) / cell
+                val last = (box.columnEnd - 1 - region.columnStart) / cell
+                for (column in first..last) fragments[row * across + column] += most
             }
         }
         return fragments.max()

@@ -1,6 +1,14 @@
 package dev.lazyz.scenes.builtin
 
+import dev.lazyz.Rgba
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Light
+import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.surface.Mesh
 import kotlin.math.sqrt
+import org.joml.Vector3d
 
 /**
  * Triangles of the teapot, y up, right-handed, counter-clockwise seen from outside.
@@ -162,4 +170,83 @@ internal class TeapotTessellation(private val segments: Int, patches: List<Bezie
 
     private fun coincide(a: Int, b: Int): Boolean = positions[3 * a] == positions[3 * b] &&
         positions[3 * a + 1] == positions[3 * b + 1] && positions[3 * a + 2] == positions[3 * b + 2]
+}
+
+/** The Utah teapot in glazed pottery. */
+internal object TeapotScene {
+    fun scene(segments: Int): Scene {
+        val teapot = Teapot.tessellate(segments)
+        val material = Material(
+            baseColor = Rgba.ofRgb(0xC8643C),
+            shading = Shading.BLINN_PHONG,
+            specular = Rgba(0.45f, 0.43f, 0.40f),
+            shininess = 64,
+            name = "pottery",
+        )
+
+        // v increases upwards in the patches, downwards in a texture
+        val uvs = FloatArray(teapot.uvs.size) { if (it % 2 == 0) teapot.uvs[it] else 1f - teapot.uvs[it] }
+        return Scene(
+            surfaces = listOf(Mesh(teapot.positions, teapot.triangles, material, teapot.normals, uvs)),
+            lights = listOf(
+                Light.Ambient(Rgba(0.12f, 0.13f, 0.16f)),
+                Light.Directional(Vector3d(0.5, -0.9, -0.7), Rgba(0.85f, 0.82f, 0.76f)),
+                Light.Directional(Vector3d(-0.9, 0.2, -0.2), Rgba(0.15f, 0.14f, 0.13f)),
+            ),
+            viewpoint = Camera.fit(azimuth = 25.0, elevation = 24.0),
+            background = Rgba.ofRgb(0xE9EDF0),
+        )
+    }
+}
+
+/**
+ * The cubic Bernstein polynomials, and the quadratic ones of their derivative, at the parameters 0, 1/n, ..., 1.
+ *
+ * Uses only `+ - * /` in double precision, so the values are bit for bit the same on every machine. A curve and its
+ * reverse (control points in reverse order) have bit for bit the same points at mirrored parameters, and a curve
+ * starts and ends exactly at its outer control points. Therefore patches with a common border meet without a crack.
+ *
+ * Source: Gerald Farin, "Curves and Surfaces for CAGD", the chapter on the Bernstein form.
+ */
+internal class CubicBasis(segments: Int) {
+    private val weights = DoubleArray(4 * (segments + 1))
+    private val slopeWeights = DoubleArray(3 * (segments + 1))
+
+    init {
+        for (step in 0..segments) {
+            // Two divisions: 1 - t would round differently from the t of the opposite step
+            val t = step.toDouble() / segments
+            val s = (segments - step).toDouble() / segments
+            weights[4 * step] = s * s * s
+            weights[4 * step + 1] = 3.0 * (s * s) * t
+            weights[4 * step + 2] = 3.0 * (t * t) * s
+            weights[4 * step + 3] = t * t * t
+            slopeWeights[3 * step] = 3.0 * (s * s)
+            slopeWeights[3 * step + 1] = 6.0 * (s * t)
+            slopeWeights[3 * step + 2] = 3.0 * (t * t)
+        }
+    }
+
+    /** Returns the value at [step] of the cubic with the four coefficients at [first], [first] + [stride], ... */
+    fun value(coefficients: DoubleArray, first: Int, stride: Int, step: Int): Double {
+        val at = 4 * step
+        // Add the outer and the inner terms in pairs: the sum is then the same for the reversed curve
+        val outer = weights[at] * coefficients[first] + weights[at + 3] * coefficients[first + 3 * stride]
+        val inner =
+            weights[at + 1] * coefficients[first + stride] + weights[at + 2] * coefficients[first + 2 * stride]
+        return outer + inner
+    }
+
+    /**
+     * Returns the derivative of [value] with respect to the parameter. Exactly zero where the coefficients are equal.
+     */
+    fun slope(coefficients: DoubleArray, first: Int, stride: Int, step: Int): Double {
+        val at = 3 * step
+        val c1 = coefficients[first + stride]
+        val c2 = coefficients[first + 2 * stride]
+        val outer =
+            slopeWeights[at] * (c1 - coefficients[first]) +
+                slopeWeights[at + 2] * (coefficients[first + 3 * stride] - c2)
+        return outer + slopeWeights[at + 1] * (c2 - c1)
+    }
 }
