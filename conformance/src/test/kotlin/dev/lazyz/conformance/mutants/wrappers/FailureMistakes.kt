@@ -38,12 +38,16 @@ internal object FailureMistakes {
         ),
     )
 
-    /** Interrupts its worker after a failure, and does not clear the worker's status. */
+    /** Interrupts its worker after a failure. The worker sets its status again, as if the thread were its own. */
     fun leavesInterrupts() = parallel("leaves-interrupts") { frame, sink, options ->
         val worker = AtomicReference<Thread>()
         options.executor?.execute {
             worker.set(Thread.currentThread())
-            runCatching { ZBuffer().render(frame) }
+            try {
+                ZBuffer().render(frame)
+            } catch (_: InterruptedException) {
+                Thread.currentThread().interrupt()
+            }
         }
         try {
             ZBuffer().render(frame, sink)
