@@ -21,7 +21,13 @@ import java.util.concurrent.atomic.AtomicInteger
 // These checks observe threads; they do not compare pictures.
 
 private const val SIDE = 128
-private const val ATTEMPTS = 5
+private const val ATTEMPTS = 3
+
+/** Nanoseconds of processor time that a query waits for another thread, in the first attempt. */
+private const val PATIENCE = 250_000L
+
+/** Number of queries of the nearer primitive that wait: more than those that find what is covered. */
+private const val MOST_WAITS = 8 * SIDE
 
 /** What a renderer works on. Promises about threads and memory hold for all of these. */
 internal enum class KindOfWork(private val need: Capability?) {
@@ -82,20 +88,19 @@ internal fun severalThreads(renderer: Renderer, kind: KindOfWork) {
     repeat(ATTEMPTS) { attempt ->
         TryUnderWay.current?.goesOn()
         val threads = ConcurrentHashMap.newKeySet<Thread>()
-        val seen = ConcurrentHashMap.newKeySet<Int>()
 
-        // Each first query of a row takes a while, so that no thread finishes before the others have started: longer in
-        // each attempt, because a busy machine starts them late
-        fun pause() {
-            if (threads.size == 1) Thread.sleep(1L shl attempt * 2)
-        }
+        val seen = ConcurrentHashMap.newKeySet<Int>()
+        val left = AtomicInteger(MOST_WAITS)
+
+        // Queries wait for another thread, so that none finishes before the others have started
+        fun await() = awaitUntil(PATIENCE shl 2 * attempt) { threads.size > 1 }
         val stripe = Stripe(0..<SIDE, 0..<SIDE, 1000) { y ->
             threads.add(Thread.currentThread())
-            if (seen.add(y)) pause()
+            if (seen.add(y)) await()
         }
         val shaded = Stripe(0..<SIDE, 0..<SIDE, 500) {
             threads.add(Thread.currentThread())
-            pause()
+            if (left.getAndDecrement() > 0) await()
         }
         configured.inTime(Frame(Raster(SIDE, SIDE), listOf(stripe, shaded).map(kind::of))) { _, _, _, _ -> }
         if (threads.size > 1) return
