@@ -6,12 +6,12 @@ import dev.lazyz.aov.Aov;
 import dev.lazyz.aov.AovFrame;
 import dev.lazyz.aov.AovImage;
 import dev.lazyz.aov.AovImages;
-import dev.lazyz.filter.SampledFrame;
 import dev.lazyz.scenes.LoadedScene;
-import dev.lazyz.scenes.PictureSettings;
+import dev.lazyz.scenes.pictures.PictureFrame;
+import dev.lazyz.scenes.pictures.PictureParameters;
+import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.scenes.writers.BufferedImages;
 import dev.lazyz.strategies.tiled.Tiled;
-import dev.lazyz.world.Camera;
 import java.awt.Graphics;
 import java.awt.Point;
 import java.awt.event.ComponentAdapter;
@@ -75,13 +75,14 @@ public final class ModelPanel extends JPanel {
     private void draw() {
         if (work != null) work.cancel(true);
         PictureSettings settings = new PictureSettings(Math.max(getWidth(), 1), Math.max(getHeight(), 1))
-                .withViewpoint(Camera.fit(azimuth, elevation));
+                .with(PictureParameters.AZIMUTH, azimuth)
+                .with(PictureParameters.ELEVATION, elevation);
         work = new SwingWorker<>() {
             @Override
             protected View doInBackground() throws Exception {
-                SampledFrame frame = settings.frame(model);
+                PictureFrame frame = settings.frame(model);
                 Image.Collector rows = new Image.Collector(frame.getPixels());
-                AovImages aovs = new AovFrame(frame, EnumSet.of(Aov.OBJECT)).render(renderer, rows);
+                AovImages aovs = new AovFrame(frame.getSamples(), EnumSet.of(Aov.OBJECT)).render(renderer, rows);
                 Image image = rows.toImage(aovs.getCounters());
                 return new View(BufferedImages.toBufferedImage(image), aovs.get(Aov.OBJECT));
             }

@@ -1,5 +1,12 @@
 package example;
 
+import static dev.lazyz.scenes.pictures.PictureParameters.AZIMUTH;
+import static dev.lazyz.scenes.pictures.PictureParameters.BACKGROUND;
+import static dev.lazyz.scenes.pictures.PictureParameters.ELEVATION;
+import static dev.lazyz.scenes.pictures.PictureParameters.LIGHT;
+import static dev.lazyz.scenes.pictures.PictureParameters.LIGHT_INTENSITY;
+import static dev.lazyz.scenes.pictures.PictureParameters.STYLE;
+
 import dev.lazyz.Image;
 import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
@@ -7,17 +14,17 @@ import dev.lazyz.Rgba;
 import dev.lazyz.aov.Aov;
 import dev.lazyz.aov.AovFrame;
 import dev.lazyz.aov.AovImage;
-import dev.lazyz.filter.SampledFrame;
 import dev.lazyz.lighting.LightRig;
 import dev.lazyz.scenes.LoadedScene;
-import dev.lazyz.scenes.PictureSettings;
-import dev.lazyz.scenes.PictureStyle;
 import dev.lazyz.scenes.Scenes;
-import dev.lazyz.scenes.Turntable;
+import dev.lazyz.scenes.pictures.Backdrop;
+import dev.lazyz.scenes.pictures.PictureFrame;
+import dev.lazyz.scenes.pictures.PictureSettings;
+import dev.lazyz.scenes.pictures.PictureStyle;
+import dev.lazyz.scenes.pictures.Turntable;
 import dev.lazyz.scenes.writers.BufferedImages;
 import dev.lazyz.scenes.writers.Images;
 import dev.lazyz.strategies.tiled.Tiled;
-import dev.lazyz.world.Camera;
 import dev.lazyz.world.Scene;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -55,20 +62,20 @@ public final class TenMinutes {
 
     static List<PictureSettings> lights() {
         PictureSettings plain = new PictureSettings(640, 480);
-        PictureSettings sunny = plain.withLight(LightRig.SUN).withLightIntensity(1.5f);
-        PictureSettings fromAbove = sunny.withViewpoint(Camera.fit(45, 60));
-        PictureSettings product = plain.withStyle(PictureStyle.PRODUCT);
+        PictureSettings sunny = plain.with(LIGHT, LightRig.SUN).with(LIGHT_INTENSITY, 1.5);
+        PictureSettings fromAbove = sunny.with(AZIMUTH, 45.0).with(ELEVATION, 60.0);
+        PictureSettings product = plain.with(STYLE, PictureStyle.PRODUCT);
         return List.of(plain, sunny, fromAbove, product);
     }
 
     static BufferedImage thumbnail(Path file) throws IOException, InterruptedException {
-        PictureSettings small = new PictureSettings(128, 128).withBackground(Rgba.TRANSPARENT);
+        PictureSettings small = new PictureSettings(128, 128).with(BACKGROUND, new Backdrop(Rgba.TRANSPARENT));
         return BufferedImages.toBufferedImage(small.frame(Scenes.load(file)).render(new Tiled()));
     }
 
     static String pick(LoadedScene model, int x, int y) throws InterruptedException {
-        SampledFrame frame = new PictureSettings(640, 480).frame(model);
-        AovImage parts = new AovFrame(frame, EnumSet.of(Aov.OBJECT)).render(new Tiled()).get(Aov.OBJECT);
+        PictureFrame frame = new PictureSettings(640, 480).frame(model);
+        AovImage parts = new AovFrame(frame.getSamples(), EnumSet.of(Aov.OBJECT)).render(new Tiled()).get(Aov.OBJECT);
         return parts.name(x, y);
     }
 

@@ -4,10 +4,10 @@ import dev.lazyz.planning.MemoryItem
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
-import dev.lazyz.scenes.PictureSettings
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.writers.toPng
 import dev.lazyz.strategies.tiled.Tiled
 import io.ktor.http.ContentType

@@ -1,8 +1,8 @@
 package example
 
-import dev.lazyz.scenes.PictureSettings
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.strategies.zbuffer.ZBuffer
 import io.ktor.client.request.post
 import io.ktor.client.request.setBody

@@ -2,9 +2,9 @@ package example;
 
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadOptions;
-import dev.lazyz.scenes.PictureSettings;
 import dev.lazyz.scenes.SceneFormat;
 import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.scenes.writers.Images;
 import dev.lazyz.strategies.tiled.Tiled;
 import java.io.BufferedOutputStream;

@@ -1,17 +1,17 @@
 package example;
 
 import dev.lazyz.Renderer;
-import dev.lazyz.filter.SampledFrame;
 import dev.lazyz.planning.MemoryItem;
 import dev.lazyz.planning.RenderPlan;
 import dev.lazyz.planning.RenderPlanner;
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadOptions;
 import dev.lazyz.scenes.LoadedScene;
-import dev.lazyz.scenes.PictureSettings;
 import dev.lazyz.scenes.SceneFormat;
 import dev.lazyz.scenes.SceneFormatException;
 import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.pictures.PictureFrame;
+import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.scenes.writers.Images;
 import dev.lazyz.strategies.tiled.Tiled;
 import jakarta.annotation.PreDestroy;
@@ -116,9 +116,9 @@ public class PictureApplication {
         LoadedScene loaded = Scenes.load(model, format, "upload", OPTIONS);
         long setUp = loaded.getScene().getSetUpBytes();
         requireMemory(setUp <= DRAWING_BYTES);
-        SampledFrame frame = SETTINGS.frame(loaded);
-        RenderPlan plan = new RenderPlanner(DRAWING_BYTES)
-                .plan(frame, List.of(renderer), List.of(new MemoryItem("set-up", setUp)));
+        PictureFrame frame = SETTINGS.frame(loaded);
+        RenderPlan plan = frame.plan(
+                new RenderPlanner(DRAWING_BYTES), List.of(renderer), List.of(new MemoryItem("set-up", setUp)));
         requireMemory(plan.getFits());
         return Images.toPng(frame.render(plan.getRenderer()));
     }

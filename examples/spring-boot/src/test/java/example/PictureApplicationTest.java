@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.lazyz.scenes.PictureSettings;
 import dev.lazyz.scenes.SceneFormat;
 import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.strategies.zbuffer.ZBuffer;
 import java.io.ByteArrayInputStream;
 import java.net.URI;

@@ -16,11 +16,11 @@ import dev.lazyz.cli.commands.TraceCommand
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.cli.output.Nearest
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.Version
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.text.EditDistance
 
 /**
  * The command `zcli`, which only contains subcommands.
@@ -69,7 +69,7 @@ internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
         val hint = when {
             isInput -> "; did you mean 'zcli render $word'?"
             word == "help" -> "; did you mean 'zcli --help'?"
-            else -> Nearest.hint(word, commands)
+            else -> EditDistance.hint(word, commands)
         }
         return Mistake("no command '$word'$hint\nSee 'zcli --help'.")
     }

@@ -6,9 +6,9 @@ import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.cli.output.Nearest
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.Strategies
+import dev.lazyz.scenes.text.EditDistance
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.hybrid.Hybrid
 import dev.lazyz.strategies.painter.Painter
@@ -27,13 +27,13 @@ class SmallPartsTest {
     fun nearestToleratesAThirdOfTheLetters() {
         val names = listOf("teapot", "city", "molecule", "layers")
         for (typo in listOf("teapto", "taepot", "TEAPOT", "tepot", "teapott", "teap", "tea")) {
-            assertEquals("teapot", Nearest.of(typo, names), typo)
+            assertEquals("teapot", EditDistance.nearest(typo, names), typo)
         }
-        assertEquals("city", Nearest.of("cty", names))
-        assertEquals("molecule", Nearest.of("mol", names))
-        for (other in listOf("", "x", "te", "bunny", "teapot-on-a-table")) assertNull(Nearest.of(other, names), other)
-        assertNull(Nearest.of("x", listOf("y", "z")))
-        assertNull(Nearest.of("teapot", listOf()))
+        assertEquals("city", EditDistance.nearest("cty", names))
+        assertEquals("molecule", EditDistance.nearest("mol", names))
+        for (other in listOf("", "x", "te", "bunny", "teapot-on-a-table")) assertNull(EditDistance.nearest(other, names), other)
+        assertNull(EditDistance.nearest("x", listOf("y", "z")))
+        assertNull(EditDistance.nearest("teapot", listOf()))
     }
 
     @Test

@@ -3,6 +3,9 @@ package dev.lazyz.scenes;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
+import dev.lazyz.scenes.pictures.PictureParameters;
+import dev.lazyz.scenes.pictures.PictureSettings;
+import dev.lazyz.world.View;
 import org.junit.jupiter.api.Test;
 
 /** Options take numbers as Java writes them: this class does not compile if one takes an object of a number. */
@@ -24,10 +27,12 @@ class JavaOptionsTest {
     }
 
     @Test
-    void intensityOfLightIsALiteral() {
-        PictureSettings settings = new PictureSettings(64, 48).withLightIntensity(2);
-        assertEquals(2f, settings.getLightIntensity());
-        assertNull(settings.withDefaultLightIntensity().getLightIntensity());
+    void settingsOfPicturesHaveTypes() {
+        PictureSettings settings = new PictureSettings(64, 48)
+                .with(PictureParameters.LIGHT_INTENSITY, 2.0)
+                .with(PictureParameters.VIEW, View.ISO);
+        assertEquals(2.0, settings.get(PictureParameters.LIGHT_INTENSITY));
+        assertNull(settings.without(PictureParameters.VIEW).get(PictureParameters.VIEW));
     }
 
     @Test

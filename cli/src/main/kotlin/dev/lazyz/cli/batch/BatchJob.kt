@@ -1,6 +1,5 @@
 package dev.lazyz.cli.batch
 
-import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
@@ -15,6 +14,7 @@ import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.sheet.ContactSheet
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.pictures.PictureParameters
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
 import java.util.concurrent.Future
@@ -119,8 +119,8 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
     }
 
     private fun sheet(): ContactSheet {
-        val subject: Subject = request.subject(request.inputs[0])
-        val size = subject.region?.let { ImageSize(it.width, it.height) } ?: checkNotNull(subject.size) { "no size" }
+        val settings = request.subject(request.inputs[0]).settings
+        val size = settings[PictureParameters.REGION]?.let { ImageSize(it.width, it.height) } ?: settings.size
         if (size.width.toLong() * size.height > MOST_PIXELS) {
             throw Mistake(
                 "a picture of a contact sheet has at most $MOST_PIXELS pixels, not ${size.width}x${size.height}; " +
@@ -129,7 +129,7 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
         }
         val labels = plan.inputs.flatMap { input -> input.views.flatMap { it.labels } }
         val columns = request.series.columns ?: ContactSheet.usualColumns(labels.size, plan.perInput, size)
-        val color = subject.background?.takeIf { it.gradient == null }?.color?.toArgb() ?: WHITE
+        val color = settings[PictureParameters.BACKGROUND]?.takeIf { it.gradient == null }?.color?.toArgb() ?: WHITE
         return ContactSheet(size, labels, columns, color)
     }
 

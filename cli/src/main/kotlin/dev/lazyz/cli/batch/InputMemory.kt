@@ -1,8 +1,6 @@
 package dev.lazyz.cli.batch
 
 import dev.lazyz.Renderer
-import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
@@ -10,6 +8,8 @@ import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.pictures.PictureFrame
+import dev.lazyz.scenes.pictures.PictureParameters
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -43,9 +43,9 @@ internal class InputMemory(
 
     /** Memory for a picture of the usual size. */
     private val guess: Long = run {
-        val size = subject.size ?: FrameSource.DEFAULT_SIZE
-        val pixels = subject.region?.size ?: (size.width.toLong() * size.height)
-        val side = subject.antiAliasing.wanted
+        val size = subject.settings.size
+        val pixels = subject.settings[PictureParameters.REGION]?.size ?: (size.width.toLong() * size.height)
+        val side = subject.settings.factor
         bytes(usual, pixels * side * side, pixels)
     }
 
@@ -70,7 +70,7 @@ internal class InputMemory(
      * @throws TooLittleMemory if it needs more than [step] holds
      * @throws Mistake if it needs more than there is
      */
-    fun require(step: MemoryStep, strategy: Renderer, shot: Shot) {
+    fun require(step: MemoryStep, strategy: Renderer, shot: PictureFrame) {
         if (!step.isLast && bytes(strategy, shot.frame.region.size, shot.pixels.size) > step.bytes) {
             throw TooLittleMemory()
         }

@@ -4,9 +4,6 @@ import dev.lazyz.Counters
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.input.Shot
-import dev.lazyz.cli.input.Turn
-import dev.lazyz.cli.input.Turns
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.output.StatisticsTable
@@ -18,6 +15,7 @@ import dev.lazyz.cli.render.PictureFile
 import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.writers.animation.Animation
 import dev.lazyz.scenes.writers.animation.AnimationFiles
 import java.nio.file.Path
@@ -36,7 +34,7 @@ internal class InputPictures(
     private val loaded: LoadedScene,
     private val streams: Streams,
     private val count: (Int) -> Unit,
-    private val requireMemory: (Renderer, Shot) -> Unit,
+    private val requireMemory: (Renderer, PictureFrame) -> Unit,
 ) {
     private var done = 0
 
@@ -82,23 +80,25 @@ internal class InputPictures(
 
     /** The pictures from one side. */
     private inner class Pictures(private val view: ViewPlan, private val statistics: StringBuilder) {
-        private val turntable = request.series.turntable?.let { Turns(it) }
+        private val settings = source.settings(view.view)
+        private val turntable = request.series.turntable?.let { settings.turntable(loaded, it) }
 
-        fun setUp(frame: Int): Shot = shares.threads.forPicture { threads -> setUp(frame, threads) }
+        fun setUp(frame: Int): PictureFrame = shares.threads.forPicture { threads -> setUp(frame, threads) }
 
-        private fun setUp(frame: Int, threads: Int): Shot {
-            val turn: Turn? = turntable?.step(frame)
+        private fun setUp(frame: Int, threads: Int): PictureFrame {
             val options = request.choices.sharing(threads).options()
-            val shot = source.frame(loaded, options, view.view, turn, view.labels[frame])
+            val observer = source.observer(view.labels[frame])
+            val shot =
+                turntable?.frame(frame, options, observer) ?: settings.frame(loaded, options, observer)
             requireMemory(strategy(shot, threads), shot)
             return shot
         }
 
-        private fun strategy(shot: Shot, threads: Int): Renderer =
+        private fun strategy(shot: PictureFrame, threads: Int): Renderer =
             StrategyChoice(request.strategy, request.choices.sharing(threads)).strategyFor(shot.frame)
 
         /** Sets a picture up, unless it is [ready], and calls [write] with it and a function that renders it. */
-        fun render(frame: Int, ready: Shot? = null, write: (Shot, (RowSink) -> Unit) -> Unit) {
+        fun render(frame: Int, ready: PictureFrame? = null, write: (PictureFrame, (RowSink) -> Unit) -> Unit) {
             shares.threads.forPicture { threads ->
                 val start = System.nanoTime()
                 val shot = ready ?: setUp(frame, threads)

@@ -32,6 +32,7 @@ import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.StrategyPath
+import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.world.View
 
 /**
@@ -68,13 +69,11 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
 
     private fun compare(blanks: BlankPictures): Int {
         val views = own.views.orEmpty()
-        val directed = camera.pointOfView().directed
-        if (views.isNotEmpty() && directed.isNotEmpty()) {
-            throw Mistake("--views cannot be combined with ${directed[0]}")
-        }
+        val directed = settings.directed
+        if (views.isNotEmpty() && directed != null) throw Mistake("--views cannot be combined with $directed")
         val request = CompareRequest(own.strategies.distinct(), cost.choices(), own.repeat, views, blanks)
         if (inputs.count { it == "-" } > 1) throw Mistake("standard input can be only one of the inputs")
-        val named = NamedInputs(inputs, reading.format)
+        val named = NamedInputs(inputs, settings[PictureParameters.FORMAT])
         if (named.isSingle && views.size < 2) {
             val subject = subject(inputs.single())
             return TimeLimit.OF_PROCESS.hold(subject.timeLimit, subject.input) { compareOne(request, subject) }

@@ -19,7 +19,6 @@ import dev.lazyz.cli.options.number
 import dev.lazyz.cli.options.path
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.cli.output.Nearest
 import dev.lazyz.cli.output.ReportPlace
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.counted
@@ -37,6 +36,7 @@ import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.WaiversException
 import dev.lazyz.conformance.run.FramesException
 import dev.lazyz.scenes.html.Html
+import dev.lazyz.scenes.text.EditDistance
 import java.nio.file.Path
 import java.time.Duration
 import java.util.concurrent.ThreadLocalRandom
@@ -277,7 +277,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private fun unknown(rule: String): String {
         val names = SuiteRule.all.flatMap { listOf(it.name, it.number) }.distinct()
-        return "no rule '$rule'${Nearest.hint(rule, names)}\n" +
+        return "no rule '$rule'${EditDistance.hint(rule, names)}\n" +
             "The rules are:\n" + SuiteRule.all.joinToString("\n") { "  ${it.name}" }
     }
 

@@ -13,13 +13,13 @@ import dev.lazyz.cli.diff.DifferenceText
 import dev.lazyz.cli.diff.writeMarked
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.HelpText
-import dev.lazyz.cli.options.fileOf
 import dev.lazyz.cli.options.number
 import dev.lazyz.cli.options.path
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.scenes.pictures.FileValues
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.scenes.pictures.PictureDifference
 
@@ -29,13 +29,13 @@ internal class DiffCommand(private val streams: Streams) : Command("diff") {
         "EXPECTED",
         help = "The picture as it should be: a PNG, PPM, TGA, TIFF, BMP, GIF, WBMP or JPEG file",
         completionCandidates = CompletionCandidates.Path,
-    ).convert { fileOf(it) { message -> fail(message) } }
+    ).convert { FileValues().read(it) }
 
     private val actual by argument(
         "ACTUAL",
         help = "The picture to compare with it, in one of these formats, too",
         completionCandidates = CompletionCandidates.Path,
-    ).convert { fileOf(it) { message -> fail(message) } }
+    ).convert { FileValues().read(it) }
 
     private val threshold by option(
         "--threshold",

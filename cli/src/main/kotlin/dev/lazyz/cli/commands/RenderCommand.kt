@@ -22,13 +22,10 @@ import dev.lazyz.cli.options.Completions
 import dev.lazyz.cli.options.CostOptions
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.options.INPUT_HELP
-import dev.lazyz.cli.options.LightOptions
 import dev.lazyz.cli.options.LimitOptions
-import dev.lazyz.cli.options.LineOptions
 import dev.lazyz.cli.options.MemoryOptions
 import dev.lazyz.cli.options.MessageOptions
-import dev.lazyz.cli.options.PictureOptions
-import dev.lazyz.cli.options.ReadingOptions
+import dev.lazyz.cli.options.ParameterOptions
 import dev.lazyz.cli.options.SeriesOptions
 import dev.lazyz.cli.options.StreamOptions
 import dev.lazyz.cli.options.classPath
@@ -36,7 +33,6 @@ import dev.lazyz.cli.options.number
 import dev.lazyz.cli.options.oneOf
 import dev.lazyz.cli.options.path
 import dev.lazyz.cli.options.selector
-import dev.lazyz.cli.options.subject
 import dev.lazyz.cli.options.words
 import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.ExitCode
@@ -53,6 +49,13 @@ import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.filter.ShadingRate
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.pictures.ParameterGroup
+import dev.lazyz.scenes.pictures.PictureParameters.AA
+import dev.lazyz.scenes.pictures.PictureParameters.FORMAT
+import dev.lazyz.scenes.pictures.PictureParameters.OPAQUE
+import dev.lazyz.scenes.pictures.PictureParameters.SHADING_RATE
+import dev.lazyz.scenes.pictures.PictureParameters.SIZE
+import dev.lazyz.scenes.pictures.PictureParameters.VIEW
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -71,17 +74,26 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     private val aovs by AovOptions()
     private val several by SeriesOptions()
     private val reference by ReferenceOptions()
-    private val reading by ReadingOptions()
+    private val reading by ParameterOptions(ParameterGroup.READING)
     private val streaming by StreamOptions()
-    private val picture by PictureOptions(USUAL_SAMPLES)
-    private val light by LightOptions()
+    private val picture by ParameterOptions(ParameterGroup.PICTURE)
+    private val light by ParameterOptions(ParameterGroup.LIGHT)
     private val camera by CameraOptions()
-    private val lines by LineOptions()
+    private val lines by ParameterOptions(ParameterGroup.LINES)
     private val rendering by RenderingOptions()
     private val memory by MemoryOptions()
     private val cost by CostOptions()
     private val limits by LimitOptions()
     private val outcome by MessageOptions()
+
+    /** What the options choose. */
+    private val settings by lazy {
+        val usual = ParameterOptions.NONE
+        // Rates are about the nearest surface. The colours of a count are names of numbers, which must not be mixed
+        val plain = if (rendering.isSelecting) usual.withDefault(SHADING_RATE, ShadingRate.SAMPLE) else usual
+        val start = if (rendering.selector == Selector.count()) plain.withDefault(AA, 1) else plain
+        listOf(reading, picture, light, camera, lines).fold(start) { all, group -> group.addTo(all) }
+    }
 
     override fun help(context: Context): String =
         "Renders models or scenes to pictures.\n\nBy default the camera shows the whole model from the front " +
@@ -110,10 +122,10 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     override fun run() {
         val blanks = outcome.applyTo(streams)
         if (output.stats != null) requireAttachedForm()
-        if (picture.isOpaque && rendering.selector == Selector.blend()) {
+        if (settings[OPAQUE] == true && rendering.selector == Selector.blend()) {
             throw Mistake("--select blend has no effect with --opaque, which leaves nothing to blend: omit one of them")
         }
-        if (rendering.isSelecting && picture.shadingRate == ShadingRate.PIXEL) {
+        if (rendering.isSelecting && settings[SHADING_RATE] == ShadingRate.PIXEL) {
             throw Mistake("--shading-rate pixel cannot be combined with --select")
         }
         val spooling = streaming.spoolOption
@@ -128,7 +140,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
             )
         }
 
-        val named = NamedInputs(inputs, reading.format)
+        val named = NamedInputs(inputs, settings[FORMAT])
         val series = several.series()
         val isSingle = named.isSingle && several.views == null && series.turntable == null && !series.isSheet &&
             series.columns == null && series.framesPerSecond == null
@@ -172,7 +184,6 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     private fun several(named: NamedInputs, blanks: BlankPictures): BatchRequest {
         val series = several.series()
         val views = several.views.orEmpty()
-        val pointOfView = camera.pointOfView()
         val alone = listOfNotNull(
             output.depth?.let { "--depth-out" },
             aovs.outputs.files.firstOrNull()?.first?.substringBefore(' '),
@@ -183,17 +194,16 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
             memory.bytes?.let { "--memory" },
         )
         if (alone.isNotEmpty()) throw Mistake("${alone[0]} is for a single picture, and this renders several")
-        if (views.isNotEmpty() && pointOfView.directed.isNotEmpty()) {
-            throw Mistake("--views cannot be combined with ${pointOfView.directed[0]}")
-        }
-        if (series.turntable != null && pointOfView.placed.isNotEmpty()) {
-            throw Mistake("--turntable cannot be combined with ${pointOfView.placed[0]}")
-        }
+        settings.check()
+        val directed = settings.directed
+        if (views.isNotEmpty() && directed != null) throw Mistake("--views cannot be combined with $directed")
+        val placed = settings.placed
+        if (series.turntable != null && placed != null) throw Mistake("--turntable cannot be combined with $placed")
         return BatchRequest(
             inputs = named.all.toList(),
             subject = { subject(it, if (series.isSheet) CELL_SIZE else null) },
             views = views,
-            viewName = camera.view?.name?.lowercase() ?: "default",
+            viewName = settings[VIEW]?.name?.lowercase() ?: "default",
             output = output.picture,
             series = series,
             strategy = rendering.strategy,
@@ -205,18 +215,13 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     }
 
     private fun subject(input: String, usualSize: ImageSize?): Subject {
-        // The colours of a count are names of numbers, which must not be mixed
-        val usualSamples = if (rendering.selector == Selector.count()) 1 else picture.usualSamples
-        return subject(
-            input, reading, limits, picture, light, camera, lines, usualSamples,
-            isSelected = rendering.isSelecting, usualSize, memory.bytes, streaming.spoolBytes,
-        )
+        val all = limits.limits(streaming.spoolBytes)
+        val bytes = memory.bytes
+        val own = if (usualSize == null) settings else settings.withDefault(SIZE, usualSize)
+        return Subject(input, own, if (bytes == null) all else all.withMemory(bytes), limits.time, camera.isPrinted)
     }
 
     private companion object {
-        /** Samples a pixel in each direction without --aa, see docs/anti-aliasing.md. */
-        const val USUAL_SAMPLES = 4
-
         /** The size of a picture of a contact sheet without --size. */
         val CELL_SIZE = ImageSize(256, 256)
     }

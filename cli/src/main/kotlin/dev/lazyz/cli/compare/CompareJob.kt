@@ -6,13 +6,13 @@ import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Renderer
 import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.world.View
 
 /**
@@ -65,7 +65,7 @@ internal class CompareJob(
         "(${Strategies.supporters(Capability.TRANSPARENCY)})\nCompare others, or compare it as opaque with --opaque."
 
     /** One frame, and the first complete picture of it. No other picture is kept in memory. */
-    private class Round(val shot: Shot) {
+    private class Round(val shot: PictureFrame) {
         var reference: Reference? = null
     }
 

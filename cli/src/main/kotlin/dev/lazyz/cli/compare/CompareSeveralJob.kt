@@ -3,7 +3,6 @@ package dev.lazyz.cli.compare
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.input.TimeLimit
-import dev.lazyz.cli.options.subject
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json

@@ -2,13 +2,13 @@ package dev.lazyz.cli.compare
 
 import dev.lazyz.Counters
 import dev.lazyz.Image
-import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.output.Tally
 import dev.lazyz.cli.output.printable
 import dev.lazyz.cli.strategies.Strategies
+import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.world.View
 import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.addJsonObject
@@ -45,7 +45,7 @@ internal class Reference(val id: String, val image: Image)
 internal class Comparison(
     private val input: String,
     val view: View?,
-    val shot: Shot,
+    val shot: PictureFrame,
     val repeat: Int,
     private val warnings: Int,
     val reference: Reference?,

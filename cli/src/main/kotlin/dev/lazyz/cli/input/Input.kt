@@ -1,7 +1,6 @@
 package dev.lazyz.cli.input
 
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.cli.output.Nearest
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.printable
 import dev.lazyz.scenes.LoadOptions
@@ -9,6 +8,7 @@ import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.StreamedScene
+import dev.lazyz.scenes.text.EditDistance
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -108,7 +108,7 @@ internal class Input(
             val hint = when {
                 word.isNotEmpty() && word.all { it.isDigit() } -> "; a size is one word, such as --size 800x600"
                 path.toString().endsWith(".png", ignoreCase = true) -> "; is it the output? Then write -o $shown"
-                else -> Nearest.hint(word, Scenes.builtins.map { it.id })
+                else -> EditDistance.hint(word, Scenes.builtins.map { it.id })
             }
             throw Mistake("there is no built-in scene and no file '$shown'$hint\nSee 'zcli scenes'.")
         }

@@ -6,9 +6,9 @@ import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.aov.Aov
-import dev.lazyz.cli.output.Nearest
 import dev.lazyz.cli.render.AovOutput
 import dev.lazyz.cli.render.AovOutputs
+import dev.lazyz.scenes.text.EditDistance
 import java.nio.file.Path
 
 /** Options of arbitrary output variables. */
@@ -39,7 +39,7 @@ internal class AovOptions : OptionGroup("Data of pixels (AOVs)") {
             known.groupBy { it }.values.firstOrNull { it.size > 1 }?.let { fail("'${it[0]}' is named twice: $text") }
             known.map { word ->
                 Aov.ofId(word)
-                    ?: fail("'$word' is not one of $ALL, ${ids.joinToString()}${Nearest.hint(word, ids + ALL)}")
+                    ?: fail("'$word' is not one of $ALL, ${ids.joinToString()}${EditDistance.hint(word, ids + ALL)}")
             }
         }
         AovOutput(aovs, Path.of(file))

@@ -5,8 +5,11 @@ import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import dev.lazyz.cli.input.Subject
-import dev.lazyz.cli.output.Nearest
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.pictures.ParameterGroup
+import dev.lazyz.scenes.pictures.PictureParameters
+import dev.lazyz.scenes.pictures.PictureSettings
+import dev.lazyz.scenes.text.EditDistance
 
 /** The base class of all commands of zcli: sets how arguments are read and how help is formatted. */
 internal abstract class Command(name: String) : CoreCliktCommand(name) {
@@ -15,7 +18,7 @@ internal abstract class Command(name: String) : CoreCliktCommand(name) {
             // The name of a file may begin with @
             readArgumentFile = null
             helpFormatter = { HelpText }
-            suggestTypoCorrection = { word, names -> listOfNotNull(Nearest.of(word, names)) }
+            suggestTypoCorrection = { word, names -> listOfNotNull(EditDistance.nearest(word, names)) }
         }
     }
 }
@@ -26,20 +29,33 @@ internal abstract class Command(name: String) : CoreCliktCommand(name) {
  * @param group the options of the command itself, which come first in the help
  * @param usualSize the size of the picture if the user does not choose; null means that of the scene
  */
-internal abstract class PictureCommand<G : OptionGroup>(name: String, group: G, usualSize: ImageSize? = null) :
-    Command(name) {
+internal abstract class PictureCommand<G : OptionGroup>(
+    name: String,
+    group: G,
+    private val usualSize: ImageSize? = null
+) : Command(name) {
     /** The options of the command itself. */
     protected val own: G by group
-    protected val reading: ReadingOptions by ReadingOptions()
-    private val picture by PictureOptions(usualSize = usualSize)
-    private val light by LightOptions()
-    protected val camera: CameraOptions by CameraOptions()
-    private val lines by LineOptions()
+    private val reading by ParameterOptions(ParameterGroup.READING)
+    private val picture by ParameterOptions(
+        ParameterGroup.PICTURE,
+        mapOf(PictureParameters.AA to "1") + usualSize?.let { mapOf(PictureParameters.SIZE to "$it") }.orEmpty(),
+    )
+    private val light by ParameterOptions(ParameterGroup.LIGHT)
+    private val camera by CameraOptions()
+    private val lines by ParameterOptions(ParameterGroup.LINES)
     protected val cost: CostOptions by CostOptions()
     private val limits by LimitOptions()
     protected val outcome: MessageOptions by MessageOptions()
 
+    /** What the options choose. */
+    protected val settings: PictureSettings by lazy {
+        val usual = ParameterOptions.NONE.withDefault(PictureParameters.AA, 1)
+        val sized = if (usualSize == null) usual else usual.withDefault(PictureParameters.SIZE, usualSize)
+        listOf(reading, picture, light, camera, lines).fold(sized) { all, group -> group.addTo(all) }
+    }
+
     /** Returns what the options show of [input]. */
     protected fun subject(input: String): Subject =
-        subject(input, reading, limits, picture, light, camera, lines)
+        Subject(input, settings, limits.limits(null), limits.time, camera.isPrinted)
 }

@@ -3,9 +3,20 @@ package dev.lazyz.cli.options
 import com.github.ajalt.clikt.completion.CompletionCandidates
 import com.github.ajalt.clikt.completion.CompletionCandidates.Custom.ShellType
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.pictures.ParameterValues
+import dev.lazyz.scenes.pictures.WordCompletion
 
 /** What shells offer for values that are not just one of a few words. Words are only computed for their scripts. */
 internal object Completions {
+    /** What completes a value of [values]. */
+    fun of(values: ParameterValues<*>): CompletionCandidates? = when (values.completion) {
+        WordCompletion.NONE -> null
+        WordCompletion.CHOICE -> CompletionCandidates.Fixed(values.words.toSet())
+        WordCompletion.NAME -> words { values.words }
+        WordCompletion.NAMES -> lists { values.words }
+        WordCompletion.FILE -> CompletionCandidates.Path
+    }
+
     /** One of [words]. */
     fun words(words: () -> Collection<String>) = CompletionCandidates.Custom { shell ->
         val all = words().joinToString(" ")

@@ -5,6 +5,7 @@ import com.github.ajalt.clikt.core.NoSuchOption
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.output.ParameterFormatter
 import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.pictures.NoPictureException
 import java.io.IOException
 import java.io.UncheckedIOException
 import java.nio.file.AccessDeniedException
@@ -22,7 +23,7 @@ internal object Failure {
 
     /** Returns the message for the user, or null if [failure] is a bug in zcli. */
     fun mistake(failure: Throwable): String? = when (failure) {
-        is Mistake, is SceneFormatException -> failure.message?.lines()?.joinToString("\n", transform = ::printable)
+        is Mistake, is NoPictureException, is SceneFormatException -> failure.message?.lines()?.joinToString("\n", transform = ::printable)
         is FileSystemException -> describe(failure)
         is OutOfMemoryError -> outOfMemory(failure)
         is UncheckedIOException -> failure.cause?.let(::mistake)

@@ -1,5 +1,6 @@
 package dev.lazyz.cli.output
 
+import dev.lazyz.scenes.text.EditDistance
 /** What stands in braces in `-o`, and is replaced by something of the picture. */
 internal enum class Placeholder {
     /** The folder of the input. */
@@ -67,7 +68,7 @@ internal class OutputTemplate(val text: String) {
     }
 
     private fun placeholder(word: String): Placeholder = known[word.lowercase()] ?: throw Mistake(
-        "-o: unknown placeholder {$word}${Nearest.hint(word, known.keys)}; known are " +
+        "-o: unknown placeholder {$word}${EditDistance.hint(word, known.keys)}; known are " +
             Placeholder.entries.joinToString { it.word } + ", and {{ for a brace",
     )
 

@@ -8,12 +8,13 @@ import com.github.ajalt.mordant.table.TableBuilder
 import com.github.ajalt.mordant.table.table
 import com.github.ajalt.mordant.terminal.Terminal
 import dev.lazyz.Counters
-import dev.lazyz.DepthTest
 import dev.lazyz.Image
 import dev.lazyz.PixelHash
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.scenes.pictures.Blank
+import dev.lazyz.scenes.pictures.VisibleRows
 import dev.lazyz.strategies.tiled.Tiled
 import kotlinx.serialization.json.JsonObject
 
@@ -80,34 +81,25 @@ internal class Statistics(
 internal class Tally(private val width: Int, isHashed: Boolean) : RowSink {
     private val hash = if (isHashed) PixelHash() else null
 
-    /** Number of samples so far at which a primitive is visible. */
-    var visible = 0L
-        private set
+    private val rows = VisibleRows(width)
 
-    private var pixels = 0L
-    private var color = 0
-    private var isUniform = true
+    /** Number of samples so far at which a primitive is visible. */
+    val visible: Long get() = rows.visible
 
     /** Why there is nothing to see so far, or null if there is something. */
     val blank: String?
-        get() = when {
-            visible == 0L -> "nothing is visible: the picture is all background"
+        get() = when (rows.blank) {
+            Blank.BACKGROUND -> "nothing is visible: the picture is all background"
 
-            isUniform && visible < pixels ->
+            Blank.ONE_COLOR ->
                 "all pixels have the same colour, also those of the background; " +
                     "choose another --background, --light or --color"
 
-            else -> null
+            null -> null
         }
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
-        if (pixels == 0L) color = argb[0]
-        var x = 0
-        while (isUniform && x < width) isUniform = argb[x++] == color
-        pixels += width
-        var count = 0
-        for (x in 0 until width) if (primitive[x] != DepthTest.BACKGROUND) count++
-        visible += count
+        rows.row(y, argb, depth, primitive)
         hash?.add(argb, width)
     }
 

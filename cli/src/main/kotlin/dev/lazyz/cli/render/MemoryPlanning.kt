@@ -3,7 +3,6 @@ package dev.lazyz.cli.render
 import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.planning.MemoryItem
@@ -14,6 +13,7 @@ import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.strategies.tiled.Tiled
 
 /**
@@ -56,7 +56,7 @@ internal class MemoryPlanning(
 
     /** Whether the picture is the same if the model is read part by part. */
     private val isSameInParts: Boolean
-        get() = format == SceneFormat.STL && request.subject.hasFaceNormals && canStream
+        get() = format == SceneFormat.STL && request.subject.settings.hasFaceNormals && canStream
 
     /**
      * Returns how to read the model: null for as a whole, if it fits, or if its need is unknown; or part by part, if
@@ -136,7 +136,7 @@ internal class MemoryPlanning(
      *
      * @throws MemoryRefusal if none fits, or if an earlier step did not fit
      */
-    fun plan(shot: Shot): RenderPlan {
+    fun plan(shot: PictureFrame): RenderPlan {
         val program = MemoryItem("program, scene and primitives", held())
         val all = listOf(program) + others(shot.pixels)
         val plan = plan(shot, all, memory)
@@ -151,7 +151,7 @@ internal class MemoryPlanning(
         throw advice.refusal(picture, Enough(enough(shot, all)), plan, canShrink = smallest.fits)
     }
 
-    private fun plan(shot: Shot, items: List<MemoryItem>, bytes: Long): RenderPlan =
+    private fun plan(shot: PictureFrame, items: List<MemoryItem>, bytes: Long): RenderPlan =
         shot.plan(
             RenderPlanner(bytes, request.choices.forFrame(shot.frame).options()),
             choice.rendererChoices(shot.frame, bytes),
@@ -159,7 +159,7 @@ internal class MemoryPlanning(
         )
 
     /** Returns the memory with which [shot] can be rendered, besides [items], after the steps so far. */
-    private fun enough(shot: Shot, items: List<MemoryItem>): Long {
+    private fun enough(shot: PictureFrame, items: List<MemoryItem>): Long {
         // With more memory, another plan may be the first
         var bytes = least
         while (true) {

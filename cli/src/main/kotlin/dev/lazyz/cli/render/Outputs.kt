@@ -3,7 +3,6 @@ package dev.lazyz.cli.render
 import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.cli.input.Input
-import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputClosed
 import dev.lazyz.cli.output.OutputFile
@@ -13,6 +12,7 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.printable
 import dev.lazyz.conformance.report.ShellWords
 import dev.lazyz.planning.MemoryItem
+import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.PfmSink
 import dev.lazyz.scenes.writers.PngSink
@@ -72,7 +72,7 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
      *
      * @param facts what the picture depends on, if it may be completed later, or null
      */
-    fun <T> write(shot: Shot, facts: Map<String, String>?, render: (RowSink, Shot) -> T): T = try {
+    fun <T> write(shot: PictureFrame, facts: Map<String, String>?, render: (RowSink, PictureFrame) -> T): T = try {
         if (facts != null && picture != null) {
             PictureFile.resume(picture, shot.pixels, shot.alpha, facts) { sink, rest ->
                 render(sink, shot.within(rest))
@@ -98,7 +98,7 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
         else -> request.reference?.let { "the picture was not compared with ${it.file}" }
     }
 
-    private fun <T> writePicture(shot: Shot, render: (RowSink?) -> T): T {
+    private fun <T> writePicture(shot: PictureFrame, render: (RowSink?) -> T): T {
         if (picture != null || isStandardOutput) {
             PictureFile.warnings(picture, shot.pixels, shot.alpha).forEach { streams.warning(it) }
         }

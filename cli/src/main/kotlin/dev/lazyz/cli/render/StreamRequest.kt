@@ -23,9 +23,8 @@ internal class StreamRequest(spool: Path?) {
     /** Returns an option of [request] that needs the whole model, or null. */
     fun obstacle(request: RenderRequest): String? {
         val subject = request.subject
-        return subject.lineWork.wholeModel ?: subject.light.wholeModel ?: subject.antiAliasing.wholeModel
+        return subject.settings.wholeModel
             ?: request.aovs.files.firstOrNull()?.first?.substringBefore(' ')
-            ?: "--texture".takeIf { subject.texture != null }
             ?: "--max-decoded".takeIf { subject.loading.limits.decodedBytes != null }
     }
 

@@ -8,7 +8,6 @@ import dev.lazyz.cli.compare.CompareJob
 import dev.lazyz.cli.compare.CompareRequest
 import dev.lazyz.cli.compare.Outcome
 import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.OutputPlaces
@@ -18,6 +17,7 @@ import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.trace.ShadingOrder
 import dev.lazyz.scenes.aov.ObjectTable
 import dev.lazyz.scenes.html.Html
+import dev.lazyz.scenes.pictures.PictureFrame
 import java.nio.file.Path
 
 /** One run of `zcli report`: compares, renders once more to see where the work is, and writes the page. */
@@ -52,7 +52,7 @@ internal class ReportJob(private val request: ReportRequest, private val streams
         return report
     }
 
-    private fun entry(strategy: Renderer, outcome: Outcome, shot: Shot, reference: Image?): ReportEntry {
+    private fun entry(strategy: Renderer, outcome: Outcome, shot: PictureFrame, reference: Image?): ReportEntry {
         if (outcome !is Outcome.Rendered) return ReportEntry(strategy.id, strategy.summary, outcome, null)
         streams.progress("looking at ${strategy.id} ...")
         return try {
@@ -63,7 +63,7 @@ internal class ReportJob(private val request: ReportRequest, private val streams
         }
     }
 
-    private fun portrait(strategy: Renderer, outcome: Outcome.Rendered, shot: Shot, reference: Image?): Portrait {
+    private fun portrait(strategy: Renderer, outcome: Outcome.Rendered, shot: PictureFrame, reference: Image?): Portrait {
         val collector = Image.Collector(shot.pixels)
         val aovs = shot.render(choices.applyTo(strategy), collector, setOf(Aov.SHADING_CALLS))
         val isShort = outcome.counters.shadingCalls <= ShadingOrder.MOST
@@ -76,14 +76,14 @@ internal class ReportJob(private val request: ReportRequest, private val streams
     }
 
     /** Records the calls of one thread, as `zcli trace` does. */
-    private fun order(strategy: Renderer, shot: Shot): OrderMap {
+    private fun order(strategy: Renderer, shot: PictureFrame): OrderMap {
         val recorder = ShadingOrder.Recorder(shot.frame, strategy.id)
         shot.observed(recorder).render(choices.sharing(1).applyTo(strategy)) { _, _, _, _ -> }
         return OrderMap(recorder.toOrder(), shot.pixels)
     }
 
     /** Returns what is a property of the frame, so that any strategy that can render it will do. */
-    private fun seen(shot: Shot, entries: List<ReportEntry>): AovImages? =
+    private fun seen(shot: PictureFrame, entries: List<ReportEntry>): AovImages? =
         entries.firstOrNull { it.portrait != null }?.let { entry ->
             shot.render(Strategies.find(entry.id), { _, _, _, _ -> }, setOf(Aov.OVERDRAW, Aov.OBJECT))
         }

@@ -5,8 +5,8 @@ import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.cli.output.Nearest
 import dev.lazyz.planning.RenderPlanner
+import dev.lazyz.scenes.text.EditDistance
 import dev.lazyz.strategies.Renderers
 
 /** Finds renderers by id and by capability, and checks before the rendering whether a picture fits into memory. */
@@ -30,7 +30,7 @@ internal object Strategies {
     fun find(id: String): Renderer {
         val all = all()
         return all.firstOrNull { it.id == id } ?: throw Mistake(
-            "no strategy '$id'${Nearest.hint(id, ids())}\nSee 'zcli strategies'.",
+            "no strategy '$id'${EditDistance.hint(id, ids())}\nSee 'zcli strategies'.",
         )
     }
 

@@ -2,7 +2,7 @@ package dev.lazyz.cli.strategies
 
 import dev.lazyz.Renderer
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.cli.output.Nearest
+import dev.lazyz.scenes.text.EditDistance
 import dev.lazyz.strategies.Renderers
 import java.io.Closeable
 import java.io.File
@@ -45,7 +45,7 @@ internal class StrategyPath(words: List<String>) : Closeable {
             offered.isEmpty() -> "Nothing on the class path is named in META-INF/services/dev.lazyz.Renderer."
             else -> "The class path offers ${offered.joinToString()}."
         }
-        return "no strategy '$id'${Nearest.hint(id, all)}\n$where"
+        return "no strategy '$id'${EditDistance.hint(id, all)}\n$where"
     }
 
     override fun close() {

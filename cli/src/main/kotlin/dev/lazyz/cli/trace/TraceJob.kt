@@ -3,7 +3,6 @@ package dev.lazyz.cli.trace
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.input.Subject
 import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.Mistake
@@ -16,6 +15,7 @@ import dev.lazyz.cli.render.FanOut
 import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.strategies.StrategyChoice
+import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.writers.AlphaChannel
 import java.nio.file.Path
 
@@ -69,7 +69,7 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
     private fun film(panels: Int, picture: TracedPicture) =
         Film(request.output, panels, picture, request.steps, request.framesPerSecond)
 
-    private fun record(strategy: Renderer, shot: Shot, picture: RowSink): ShadingOrder {
+    private fun record(strategy: Renderer, shot: PictureFrame, picture: RowSink): ShadingOrder {
         streams.progress("rendering with ${strategy.id} ...")
         val recorder = ShadingOrder.Recorder(shot.frame, strategy.id)
         shot.observed(recorder).render(strategy, picture)

@@ -1,8 +1,6 @@
 package dev.lazyz.cli.compare
 
 import dev.lazyz.Capability
-import dev.lazyz.Frame
-import dev.lazyz.Raster
 import dev.lazyz.cli.BuggyRenderer
 import dev.lazyz.cli.CapableRenderer
 import dev.lazyz.cli.FickleRenderer
@@ -12,7 +10,6 @@ import dev.lazyz.cli.StutteringRenderer
 import dev.lazyz.cli.WrongDepthRenderer
 import dev.lazyz.cli.Zrun
 import dev.lazyz.cli.glass
-import dev.lazyz.cli.input.Shot
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.run
@@ -20,8 +17,10 @@ import dev.lazyz.cli.statIn
 import dev.lazyz.cli.wedge
 import dev.lazyz.cli.withRenderers
 import dev.lazyz.cli.zcli
-import dev.lazyz.filter.SuperSampling
+import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.strategies.Renderers
+import dev.lazyz.world.Scene
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import java.nio.file.Path
@@ -155,11 +154,11 @@ class CompareTest {
 
     @Test
     fun onlyOurOwnFailuresAreOurBugs() {
-        val frame = Frame(Raster(4, 3), emptyList())
+        val frame = PictureSettings(4, 3).frame(LoadedScene(Scene(emptyList()), emptyList()))
         val ours = IllegalStateException("the cursor ran away")
         val outcomes = listOf("lazy" to ours, "buggy" to RuntimeException(), "zbuffer" to OutOfMemoryError())
             .map { (id, failure) -> id to Outcome.Failed(failure) }
-        val comparison = Comparison("x", null, Shot(SuperSampling.NONE.of(frame)), 1, 0, null, outcomes)
+        val comparison = Comparison("x", null, frame, 1, 0, null, outcomes)
         assertEquals(listOf<Throwable>(ours), comparison.bugs)
         assertFalse(comparison.isGood)
     }

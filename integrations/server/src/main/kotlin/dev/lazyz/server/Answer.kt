@@ -80,6 +80,7 @@ internal class Answer private constructor(
             return Answer(status, "", picture.takeUnless { isKnown }, detail).apply {
                 headers.set(HttpHeaderNames.ETAG, tag)
                 if (!isKnown) headers.set(HttpHeaderNames.CONTENT_TYPE, "image/png")
+                picture.blank?.let { headers.add("lazyz-blank", it.name.lowercase()) }
                 for (warning in picture.warnings) headers.add("lazyz-warning", ascii(warning))
             }
         }

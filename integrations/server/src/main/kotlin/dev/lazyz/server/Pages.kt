@@ -1,6 +1,6 @@
 package dev.lazyz.server
 
-import dev.lazyz.server.render.Parameter
+import dev.lazyz.scenes.pictures.PictureDoor
 import dev.lazyz.server.render.Problem
 import io.netty.handler.codec.http.HttpMethod
 
@@ -61,6 +61,8 @@ internal object Pages {
         appendLine()
         appendLine("Parameters, as in /render?size=512&view=iso:")
         appendLine()
-        for (parameter in Parameter.entries) appendLine("  ${parameter.id}=${parameter.form}\n      ${parameter.help}")
+        for (parameter in PictureDoor.SERVICE.parameters) {
+            appendLine("  ${parameter.name}=${parameter.values.form ?: "true"}\n      ${parameter.text(prefix = "")}")
+        }
     }
 }

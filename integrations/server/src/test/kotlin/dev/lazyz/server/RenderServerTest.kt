@@ -55,7 +55,7 @@ class RenderServerTest {
         "400, /render?size=5y5, is not WIDTHxHEIGHT",
         "400, /render?size=100000, at most 16777216 pixels",
         "400, /render?aa=3, 'aa: ''3'' is not one of 1, 2, 4, 8'",
-        "400, /render?zoom=0, zoom must be in 0.001..1000.0",
+        "400, /render?zoom=0, zoom: must be in 0.001..1000",
         "400, /render?zoom=NaN, is not a number",
         "400, /render?background=mud, is not a colour",
         "422, /render?format=stl, model",

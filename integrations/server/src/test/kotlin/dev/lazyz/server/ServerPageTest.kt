@@ -1,6 +1,5 @@
 package dev.lazyz.server
 
-import dev.lazyz.server.render.Parameter
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.readText
@@ -14,12 +13,6 @@ class ServerPageTest {
         .map { it.resolve("docs/server.md") }.first { it.exists() }.readText()
 
     private fun found(pattern: String) = Regex(pattern).findAll(page).map { it.groupValues[1] }.toSet()
-
-    @Test
-    fun parameters() {
-        val described = found("(?m)^\\| `([a-z-]+=[A-Za-z]+)` \\|")
-        assertEquals(Parameter.entries.map { "${it.id}=${it.form}" }.toSet(), described)
-    }
 
     @Test
     fun options() {

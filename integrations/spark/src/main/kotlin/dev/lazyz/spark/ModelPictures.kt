@@ -1,6 +1,8 @@
 package dev.lazyz.spark
 
+import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.spark.models.ContactSheets
 import dev.lazyz.spark.models.ModelPicture
 import dev.lazyz.spark.models.PictureColumns
@@ -31,7 +33,8 @@ import org.apache.spark.sql.types.StructType
  * | `png`, `pixels`, `depth` | as `output` says: a PNG file; alpha, red, green, blue, 8-bit sRGB; 32-bit depths |
  * | `hash` | the pixel hash of contract rule 7.2 |
  * | `counters` | primitives, fragments, depth evaluations, depth passes and shading calls |
- * | `warnings` | what the reader ignored |
+ * | `blank` | why there is nothing to see, `background` or `one_color`, or null |
+ * | `warnings` | what the reader ignored, and what options do not do to this model |
  * | `error` | why there is no picture, or null |
  *
  * A picture has the bits of `zcli render` with the same options. Each task renders one model at a time on one thread.
@@ -96,7 +99,8 @@ public object ModelPictures {
     ): Dataset<Row> {
         require(columns in 1..100 && rows in 1..100) { "columns and rows must be in 1..100: $columns, $rows" }
         val wish = PictureOptions("$options output=pixels")
-        val size = wish.settings().size
+        val settings = wish.settings()
+        val size = settings[PictureParameters.REGION]?.let { ImageSize(it.width, it.height) } ?: settings.size
         return ContactSheets(size.width, size.height, columns, rows).of(render(models, wish.words, limits))
     }
 

@@ -29,4 +29,22 @@ public object EditDistance {
         }
         return last[b.length]
     }
+
+    /**
+     * Returns the nearest of [names], without regard to upper and lower case. If all differ from [word] by more than a
+     * third of its letters, returns the first that begins with [word], provided that it has at least three letters, or
+     * null.
+     */
+    @JvmStatic
+    public fun nearest(word: String, names: Collection<String>): String? {
+        val wanted = word.lowercase()
+        val best = names.minByOrNull { between(wanted, it.lowercase()) } ?: return null
+        val isNear = between(wanted, best.lowercase()) <= wanted.length / 3
+        return if (isNear) best else names.firstOrNull { wanted.length >= 3 && it.lowercase().startsWith(wanted) }
+    }
+
+    /** Returns `; did you mean 'x'?` for the [nearest] of [names], or an empty string if none is near. */
+    @JvmStatic
+    public fun hint(word: String, names: Collection<String>): String =
+        nearest(word, names)?.let { "; did you mean '$it'?" }.orEmpty()
 }

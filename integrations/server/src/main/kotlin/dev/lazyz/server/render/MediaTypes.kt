@@ -44,9 +44,11 @@ internal object MediaTypes {
      */
     fun sniffed(start: ByteArray, size: Int): SceneFormat {
         val format = Scenes.formatOf(start, size.toLong())
-        if (format != null && formats.containsValue(format)) return format
-        throw unsupported("the model is of no known format; name it with format=${formats.keys.joinToString("|")}")
+        if (format != null && format != SceneFormat.SCENE) return format
+        throw unsupported("the model is of no known format; name it with format=${names.joinToString("|")}")
     }
+
+    private val names = (SceneFormat.entries - SceneFormat.SCENE).map { it.id }
 
     private fun unsupported(message: String) = Problem(Problem.UNSUPPORTED, message)
 }

@@ -1,5 +1,6 @@
 package dev.lazyz.server.render
 
+import dev.lazyz.scenes.pictures.Blank
 import java.io.ByteArrayInputStream
 import java.io.ByteArrayOutputStream
 import java.io.InputStream
@@ -10,8 +11,9 @@ import java.io.InputStream
  * @param png the bytes of a PNG file
  * @property tag names the picture: two with the same pixels have the same
  * @param warnings what the loader has left out
+ * @property blank why there is nothing to see in it, or null
  */
-internal class Picture(private val png: Bytes, val tag: String, warnings: List<String>) {
+internal class Picture(private val png: Bytes, val tag: String, warnings: List<String>, val blank: Blank?) {
     /** The number of warnings. */
     val warningCount = warnings.size
 

@@ -2,17 +2,19 @@ package dev.lazyz.server.render
 
 import dev.lazyz.PixelHash
 import dev.lazyz.RenderOptions
-import dev.lazyz.filter.SampledFrame
 import dev.lazyz.planning.MemoryItem
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
+import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
-import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.scenes.NoPictureException
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.scenes.pictures.NoPictureException
+import dev.lazyz.scenes.pictures.PictureFrame
+import dev.lazyz.scenes.pictures.PictureObserver
+import dev.lazyz.scenes.pictures.PictureParameters
+import dev.lazyz.scenes.pictures.VisibleRows
 import dev.lazyz.scenes.writers.PngSink
 import dev.lazyz.strategies.tiled.Tiled
 import java.util.concurrent.ForkJoinPool
@@ -34,7 +36,12 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     /** Returns the bytes of memory that a picture takes besides its model. */
     fun pictureNeed(request: PictureRequest): Long {
         val columns = request.width.toLong() * request.factor
-        return columns * BYTES_PER_COLUMN + FIXED_BYTES + outputNeed(request)
+        return columns * BYTES_PER_COLUMN + FIXED_BYTES + outputNeed(request) + shadowNeed(request)
+    }
+
+    private fun shadowNeed(request: PictureRequest): Long {
+        val hasShadows = request.settings.hasOcclusion || request.settings[PictureParameters.GROUND_SHADOW] == true
+        return if (hasShadows) SHADOW_BYTES else 0
     }
 
     private fun outputNeed(request: PictureRequest): Long =
@@ -61,7 +68,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     ): Picture {
         val decoded = decoded(format, body.size)
         val own = limits.withDecodedBytes(decoded)
-        val loaded = Scenes.load(body, format, "model", LoadOptions(own))
+        val loaded = Scenes.load(body, format, "model", request.settings.loadOptions(own))
         requireGoingOn()
 
         // The loader's working memory is free now
@@ -70,11 +77,13 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
             MemoryItem("model", decoded),
             MemoryItem("set-up", loaded.scene.setUpBytes),
             MemoryItem("output", outputNeed(request)),
+            MemoryItem("shadows", shadowNeed(request)),
         )
         val setUp = items.sumOf { it.bytes }
         if (setUp > memory) grow(setUp)
+        val observer = Warnings(own)
         val frame = try {
-            request.settings.frame(loaded, options)
+            request.settings.frame(loaded, options, observer)
         } catch (e: NoPictureException) {
             val reason = ClientText.of(e.message.orEmpty())
             throw Problem(Problem.UNPROCESSABLE, "the model cannot be shown as requested: $reason")
@@ -84,19 +93,19 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         if (!plan.fits) grow(plan.bytes)
         val png = Picture.Bytes()
         val hash = PixelHash()
-        val size = request.settings.size
-        val isOpaque = frame.frame.raster.background.alpha >= 1f
-        val alpha = if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
-        val work = PngSink(png, size.width, size.height, alpha).use { sink ->
+        val rows = VisibleRows(frame.pixels.width)
+        val size = ImageSize(frame.pixels.width, frame.pixels.height)
+        val work = PngSink(png, size.width, size.height, frame.alpha).use { sink ->
             frame.render(plan.renderer) { y, argb, depth, primitive ->
                 hash.add(argb, size.width)
+                rows.row(y, argb, depth, primitive)
                 sink.row(y, argb, depth, primitive)
             }
         }
         if (work.fragments == 0L) throw nothing(loaded)
 
         // Width and height are not part of the hash
-        return Picture(png, "$size-${hash.digest()}", loaded.warnings)
+        return Picture(png, "$size-${hash.digest()}", loaded.warnings + observer.warnings, rows.blank)
     }
 
     /** Returns the problem that the picture is empty, with the reasons. */
@@ -107,8 +116,8 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     }
 
     /** Returns the plan that fits into [memory] bytes, or the one that needs the least. No reserve is part of them. */
-    private fun plan(frame: SampledFrame, memory: Long, items: List<MemoryItem>): RenderPlan =
-        RenderPlanner(RenderPlan.leastMemory(memory), options).plan(frame, listOf(renderer), items)
+    private fun plan(frame: PictureFrame, memory: Long, items: List<MemoryItem>): RenderPlan =
+        frame.plan(RenderPlanner(RenderPlan.leastMemory(memory), options), listOf(renderer), items)
 
     /** Returns the limit of decoded data for a model: text and plain numbers become at most so many times larger. */
     private fun decoded(format: SceneFormat, size: Int): Long = when (format) {
@@ -119,6 +128,15 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
 
     private fun requireGoingOn() {
         if (Thread.currentThread().isInterrupted) throw InterruptedException("interrupted between two steps")
+    }
+
+    /** Collects what the settings do not do to a model. */
+    private class Warnings(limits: LoadLimits) : PictureObserver(limits = limits) {
+        val warnings = ArrayList<String>()
+
+        override fun warning(message: String) {
+            warnings.add(message)
+        }
     }
 
     companion object {
@@ -142,6 +160,9 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
 
         /** What every rendering takes. */
         private const val FIXED_BYTES = 1L shl 20
+
+        /** Maps of distances, see [dev.lazyz.lighting.AmbientOcclusion]. */
+        private const val SHADOW_BYTES = 18L shl 20
 
         /** A block of a PNG file while it is compressed, see [PngSink]. */
         private const val BLOCK_BYTES = 1L shl 20

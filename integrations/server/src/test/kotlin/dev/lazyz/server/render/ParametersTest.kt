@@ -1,65 +1,74 @@
 package dev.lazyz.server.render
 
-import dev.lazyz.Rgba
-import dev.lazyz.filter.SuperSampling
-import dev.lazyz.geometry.UpAxis
-import dev.lazyz.lighting.LightRig
-import dev.lazyz.scenes.PictureSettings
+import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.pictures.PictureDoor
+import dev.lazyz.scenes.pictures.PictureObserver
+import dev.lazyz.scenes.pictures.PictureParameters
+import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.server.Client
 import dev.lazyz.server.RenderServer
 import dev.lazyz.server.ServerConfig
+import dev.lazyz.shared.PictureWords
 import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Fit
-import dev.lazyz.world.View
+import java.net.URLEncoder
 import javax.imageio.ImageIO
 import org.junit.jupiter.api.AfterAll
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 
-/**
- * The parameters mean what the settings of the library mean, which are the options of `zcli render`: see
- * `PictureSettingsTest` of `cli`.
- */
+/** The parameters give the pictures and the messages of the library. */
 @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class ParametersTest {
-    private val usual = PictureSettings(40, 30)
-    private val parameters = mapOf(
-        "" to usual,
-        "aa=1" to usual.withSampling(SuperSampling.NONE),
-        "aa=8" to usual.withSampling(SuperSampling(8)),
-        "up=-z" to usual.withUp(UpAxis.MINUS_Z),
-        "up=z" to usual.withUp(UpAxis.Z),
-        "background=transparent" to usual.withBackground(Rgba.TRANSPARENT),
-        "background=f80" to usual.withBackground(Rgba.ofRgb(0xFF8800)),
-        "view=iso" to usual.withViewpoint(Camera.fit(View.ISO.azimuth, View.ISO.elevation)),
-        "view=top&azimuth=5" to usual.withViewpoint(Camera.fit(5.0, 90.0)),
-        "azimuth=12.5&elevation=-30" to usual.withViewpoint(Camera.fit(12.5, -30.0)),
-        "projection=orthographic" to usual.withViewpoint(Camera.fit(kind = Fit.ORTHOGRAPHIC)),
-        "margin=20" to usual.withViewpoint(Camera.fit(margin = 20.0)),
-        "zoom=2.5" to usual.withViewpoint(Camera.fit(zoom = 2.5)),
-        "light=three-point" to usual.withLight(LightRig.THREE_POINT),
-        "light=flat" to usual.withLight(LightRig.FLAT),
-        "light=sun&light-intensity=1.5" to usual.withLight(LightRig.SUN).withLightIntensity(1.5f),
-        "light-intensity=0.5" to usual.withLightIntensity(0.5f),
-    )
+    private val usual = PictureSettings().withDefault(PictureParameters.SIZE, ImageSize(40, 30))
+
+    private fun assertSame(format: SceneFormat, model: String, words: Map<String, String>) {
+        val query = (mapOf("size" to "40x30") + words).entries.joinToString("&") { (name, word) ->
+            "$name=${URLEncoder.encode(word, Charsets.UTF_8)}"
+        }
+        val answer = client.post("/render?$query", model.toByteArray())
+        val text = answer.body().decodeToString()
+        val image = try {
+            val settings = PictureDoor.SERVICE.read(usual, words.toList()).also { it.check() }
+            val observer = PictureObserver()
+            settings.frame(Scenes.load(model.byteInputStream(), format), observer = observer).render(Tiled())
+        } catch (e: IllegalArgumentException) {
+            assertTrue(answer.statusCode() in listOf(400, 422)) { "$words: ${e.message}" }
+            assertTrue(e.message.orEmpty() in text) { "$words: ${e.message}\n$text" }
+            return
+        }
+        if (image.counters.fragments == 0L) {
+            assertEquals(422, answer.statusCode()) { "$words" }
+            return
+        }
+        assertEquals(200, answer.statusCode()) { "$words: $text" }
+        val picture = ImageIO.read(answer.body().inputStream())
+        val argb = picture.getRGB(0, 0, picture.width, picture.height, null, 0, picture.width)
+        assertEquals(image.argb.asList(), argb.asList()) { "$format with $words" }
+    }
 
     @Test
-    fun parametersMeanTheSameAsSettings() {
-        for ((format, model) in models) {
-            for ((query, settings) in parameters) {
-                val answer = client.post("/render?size=40x30&$query", model.toByteArray())
-                assertEquals(200, answer.statusCode()) { answer.body().decodeToString() }
-                val picture = ImageIO.read(answer.body().inputStream())
-                val expected = settings.frame(Scenes.load(model.byteInputStream(), format)).render(Tiled())
-                assertEquals(expected.argb.asList(), picture.getRGB(0, 0, 40, 30, null, 0, 40).asList()) {
-                    "$format with $query"
-                }
-            }
+    fun eachParameterHasThePicturesAndMessagesOfTheLibrary() {
+        for (words in PictureWords.combinations(PictureDoor.SERVICE.parameters.map { it.name })) {
+            assertSame(SceneFormat.OBJ, WEDGE, words)
         }
+    }
+
+    @Test
+    fun defaultsDependOnTheModel() {
+        assertSame(SceneFormat.STL, FACET, mapOf())
+        assertSame(SceneFormat.PLY, DARK, mapOf())
+    }
+
+    @Test
+    fun aPictureOfOneColorSaysSo() {
+        val answer = client.post("/render?size=40x30&color=white&light-intensity=0&background=black", WEDGE.toByteArray())
+        assertEquals("one_color", answer.headers().firstValue("lazyz-blank").orElse("missing"))
+        val usual = client.post("/render?size=40x30", WEDGE.toByteArray())
+        assertTrue(usual.headers().firstValue("lazyz-blank").isEmpty)
     }
 
     private companion object {
@@ -75,7 +84,6 @@ class ParametersTest {
             "property list uchar int vertex_indices\nend_header\n" +
             "0 0 0 20 9 9\n1 0 0 9 20 9\n0 1 0.5 9 9 20\n3 0 1 2\n"
 
-        val models = listOf(SceneFormat.OBJ to WEDGE, SceneFormat.STL to FACET, SceneFormat.PLY to DARK)
         val server = RenderServer(ServerConfig(port = 0, log = {})).start()
         val client = Client(server)
 

@@ -21,7 +21,7 @@ class RenderQueueTest {
     private val ended = LinkedBlockingQueue<RenderJob.Outcome>()
     private val release = CountDownLatch(1)
     private val released = AtomicInteger()
-    private val picture = Picture(Picture.Bytes().apply { write(ByteArray(7)) }, "tag", emptyList())
+    private val picture = Picture(Picture.Bytes().apply { write(ByteArray(7)) }, "tag", emptyList(), null)
 
     @AfterEach
     fun close() = queue.close()

@@ -3,10 +3,10 @@ package dev.lazyz.spark.models
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.scenes.LoadLimits
-import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.ReferencePolicy
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.strategies.tiled.Tiled
 import java.io.Serializable
 import java.time.Duration
@@ -42,9 +42,16 @@ internal class ModelPicture(limits: LoadLimits) {
     private fun picture(name: String, bytes: ByteArray, wish: PictureOptions): Row {
         val format = wish.format ?: SceneFormat.ofFileName(name) ?: Scenes.formatOf(bytes)
         requireNotNull(format) { "$name: no known format; state it, such as format=stl" }
-        val loaded = Scenes.load(bytes, format, name, LoadOptions(limits))
-        val image = wish.settings().frame(loaded, options).render(renderer)
-        return PictureColumns.row(name, wish, image, loaded.warnings)
+        val settings = wish.settings()
+        val loaded = Scenes.load(bytes, format, name, settings.loadOptions(limits))
+        val warnings = ArrayList(loaded.warnings)
+        val observer = object : PictureObserver(name, limits) {
+            override fun warning(message: String) {
+                warnings.add(message)
+            }
+        }
+        val image = settings.frame(loaded, options, observer).render(renderer)
+        return PictureColumns.row(name, wish, image, warnings)
     }
 
     companion object {

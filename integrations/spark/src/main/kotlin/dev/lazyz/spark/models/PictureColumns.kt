@@ -2,6 +2,7 @@ package dev.lazyz.spark.models
 
 import dev.lazyz.Counters
 import dev.lazyz.Image
+import dev.lazyz.scenes.pictures.VisibleRows
 import dev.lazyz.scenes.writers.toPng
 import java.nio.ByteBuffer
 import org.apache.spark.sql.Row
@@ -21,6 +22,7 @@ internal object PictureColumns {
         .add("width", DataTypes.IntegerType).add("height", DataTypes.IntegerType)
         .add("png", DataTypes.BinaryType).add("pixels", DataTypes.BinaryType).add("depth", DataTypes.BinaryType)
         .add("hash", DataTypes.StringType).add("counters", counters)
+        .add("blank", DataTypes.StringType)
         .add("warnings", DataTypes.createArrayType(DataTypes.StringType))
         .add("error", DataTypes.StringType)
 
@@ -30,12 +32,19 @@ internal object PictureColumns {
         if (wish.has("png")) image.toPng() else null,
         if (wish.has("pixels")) bytes(image.argb) else null,
         if (wish.has("depth")) bytes(image.depth) else null,
-        image.pixelHash(), row(image.counters), warnings.toTypedArray(), null,
+        image.pixelHash(), row(image.counters), blank(image), warnings.toTypedArray(), null,
     )
 
     /** Returns the row of a model that cannot be shown. */
     fun failure(name: String, words: String, error: String): Row =
-        RowFactory.create(name, words, null, null, null, null, null, null, null, null, error)
+        RowFactory.create(name, words, null, null, null, null, null, null, null, null, null, error)
+
+    /** Returns why there is nothing to see, or null. */
+    private fun blank(image: Image): String? {
+        val rows = VisibleRows(image.argb.size)
+        rows.row(0, image.argb, image.depth, image.primitive)
+        return rows.blank?.name?.lowercase()
+    }
 
     private fun row(counters: Counters): Row = with(counters) {
         RowFactory.create(primitives, fragments, depthEvaluations, depthPasses, shadingCalls)

@@ -1,10 +1,10 @@
-package dev.lazyz.scenes
+package dev.lazyz.scenes.pictures
 
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.Box
 import dev.lazyz.lighting.LightRig
+import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.SetUp
@@ -26,7 +26,7 @@ class PictureSettingsFailureTest {
     fun whatCannotBeShownIsNoPicture() {
         val far = PictureSettings(40, 30).withViewpoint(Camera.fit(fieldOfView = 1e-320))
         assertThrows(NoPictureException::class.java) { far.frame(ball) }
-        val fine = PictureSettings(Raster.MAX_SIDE, 1).withSampling(SuperSampling(2))
+        val fine = PictureSettings(Raster.MAX_SIDE, 1).with(PictureParameters.AA, 2)
         val error = assertThrows(NoPictureException::class.java) { fine.frame(ball) }
         assertTrue("a side has at most" in error.message.orEmpty()) { "${error.message}" }
     }

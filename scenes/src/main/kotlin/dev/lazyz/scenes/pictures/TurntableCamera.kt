@@ -1,4 +1,4 @@
-package dev.lazyz.scenes
+package dev.lazyz.scenes.pictures
 
 import dev.lazyz.geometry.Box
 import dev.lazyz.world.Camera

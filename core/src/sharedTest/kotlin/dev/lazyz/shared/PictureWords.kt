@@ -1,0 +1,77 @@
+package dev.lazyz.shared
+
+/**
+ * Parameters of pictures as words, to compare all ways to ask for a picture: each test compares its own with the
+ * library.
+ */
+object PictureWords {
+    /** Words of each parameter that mean a value, at the ends of its range first, and then one that means none. */
+    val all: Map<String, List<String>> = mapOf(
+        "format" to listOf("obj", "OBJ", "doc"),
+        "up" to listOf("x", "-z", "w"),
+        "animation-time" to listOf("0", "1000000", "-1"),
+        "size" to listOf("40x30", "32", "40y30"),
+        "region" to listOf("0,0,1x1", "3,4,20x15", "0,0,0x1"),
+        "aa" to listOf("1", "8", "3"),
+        "aa-filter" to listOf("box", "mitchell", "none"),
+        "shading-rate" to listOf("sample", "pixel", "row"),
+        "background" to listOf("transparent", "skyblue,f80", "red,8888"),
+        "color" to listOf("tomato", "ff008880", "tomatoe"),
+        "texture" to listOf("picture.png", "picture.png", "-"),
+        "shading" to listOf("flat", "constant", "matt"),
+        "texture-filter" to listOf("none", "anisotropic", "sharp"),
+        "point-size" to listOf("0.001", "64", "0"),
+        "line-width" to listOf("0.001", "64", "1e9"),
+        "opaque" to listOf("true", "true", ""),
+        "depth-convention" to listOf("smaller", "larger", "least"),
+        "style" to listOf("technical", "product", "comic"),
+        "light" to listOf("sun", "flat", "moon"),
+        "light-intensity" to listOf("0", "1000", "-0.5"),
+        "ambient-occlusion" to listOf("true", "true", ""),
+        "ground-shadow" to listOf("true", "true", ""),
+        "matcap" to listOf("picture.png", "picture.png", "-"),
+        "tone-map" to listOf("neutral", "none", "film"),
+        "exposure" to listOf("-20", "20", "20.5"),
+        "camera" to listOf("fit", "scene", "-1"),
+        "view" to listOf("iso", "top", "side"),
+        "azimuth" to listOf("-1e6", "12.5", "1e7"),
+        "elevation" to listOf("-90", "90", "91"),
+        "projection" to listOf("perspective", "orthographic", "flat"),
+        "margin" to listOf("0", "45", "46"),
+        "zoom" to listOf("0.001", "2.5", "0"),
+        "fov" to listOf("1", "90", "180"),
+        "eye" to listOf("5,4,9", "-3,2,1", "1,2"),
+        "target" to listOf("0,0,0", "1,1,1", "1,2,1e999"),
+        "camera-up" to listOf("0,1,0", "1,1,0", "up"),
+        "height" to listOf("0.5", "9", "0"),
+        "near" to listOf("0.1", "3", "1e999"),
+        "far" to listOf("7", "100", "x"),
+        "edges" to listOf("true", "true", ""),
+        "wireframe" to listOf("true", "true", ""),
+        "crease-angle" to listOf("0", "180", "181"),
+        "hidden-lines" to listOf("dashed", "solid", "dotted"),
+        "edge-width" to listOf("0.001", "9", "5000"),
+        "edge-color" to listOf("navy", "00f", "8888"),
+        "hidden-color" to listOf("red", "0f0", "reddd"),
+        "cut" to listOf("x=50%", "1,1,1,2", "x"),
+        "cap-color" to listOf("lime", "ffffff80", "limes"),
+    )
+
+    /**
+     * Combinations of [names], each of which has values in [all]: every value alone, also those that mean nothing, and
+     * with a few other parameters, chosen by steps of a prime number through the list.
+     */
+    fun combinations(names: List<String>): List<Map<String, String>> {
+        val alone = names.flatMap { name -> all.getValue(name).map { mapOf(name to it) } }
+        val pairs = names.indices.flatMap { first ->
+            (1..PAIRS).map { step ->
+                val pair = setOf(names[first], names[(first + step * PRIME) % names.size])
+                pair.associateWith { all.getValue(it)[(first + step) % 2] }
+            }
+        }
+        return alone + pairs
+    }
+
+    private const val PAIRS = 3
+    private const val PRIME = 7
+}

@@ -1,0 +1,304 @@
+package dev.lazyz.scenes.pictures
+
+import dev.lazyz.Raster
+import dev.lazyz.Region
+import dev.lazyz.RenderOptions
+import dev.lazyz.Rgba
+import dev.lazyz.Shader
+import dev.lazyz.drawing.EdgeDrawing
+import dev.lazyz.drawing.EdgeSet
+import dev.lazyz.drawing.EdgeStyle
+import dev.lazyz.drawing.FeatureEdges
+import dev.lazyz.drawing.HiddenLines
+import dev.lazyz.filter.PixelFilter
+import dev.lazyz.filter.SampledFrame
+import dev.lazyz.filter.ShadingRate
+import dev.lazyz.filter.SuperSampling
+import dev.lazyz.lighting.AmbientOcclusion
+import dev.lazyz.lighting.GroundShadow
+import dev.lazyz.lighting.Matcap
+import dev.lazyz.scenes.DepthRules
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.sections.Hatching
+import dev.lazyz.sections.Section
+import dev.lazyz.sections.SectionPlane
+import dev.lazyz.world.Camera
+import dev.lazyz.world.FittedViewpoint
+import dev.lazyz.world.Scene
+import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.Viewpoint
+import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.surface.Lines
+import dev.lazyz.world.surface.Points
+import java.nio.file.Path
+
+/** The steps from [loaded] to a picture with [settings], see [PictureSettings]. Uses the threads of [options]. */
+internal class PictureSteps(
+    private val settings: PictureSettings,
+    private val loaded: LoadedScene,
+    private val options: RenderOptions,
+    private val observer: PictureObserver,
+) {
+    private val names = settings.names
+    private val style = settings[PictureParameters.STYLE]
+    private val isTechnical = style == PictureStyle.TECHNICAL
+
+    /** Sets up the picture, at a step of a turntable if [turn] makes a camera for it. */
+    fun frame(turn: ((FittedViewpoint) -> Viewpoint)?): PictureFrame {
+        settings.check()
+        val camera = PictureCamera(settings)
+        val up = settings[PictureParameters.UP] ?: loaded.usualUp
+        if (camera.isMissing(loaded)) {
+            val scene = names.of(PictureParameters.CAMERA, "scene")
+            observer.warning("$scene: ${observer.name} has no camera, and is shown as a whole")
+        }
+
+        // Colours of the style, cuts, camera, axis, sizes, paint, shading
+        val cut = cut(style?.painted(loaded.scene) ?: loaded.scene)
+        val seen = sized(camera.applyTo(loaded.withScene(cut), up, turn))
+        val shaded = shaded(painted(seen))
+
+        // The camera is fitted to the whole raster. The picture may be a part of it
+        val raster = raster(shaded)
+        val viewed = shaded.withViewpoint(camera(shaded, raster))
+        val hasFreePlanes = camera.hasFreePlanes && shaded.viewpoint !is Camera
+
+        // Lit spheres are the last materials; only what is opaque after that hides light and lines
+        val shadowed = shadowed(opaque(lit(viewed)), hasFreePlanes)
+        observer.camera(shadowed.viewpoint as Camera, up)
+        val scene = drawn(toned(shadowed), raster)
+        val region = region(raster)
+        observer.setUp(ImageSize(raster.width, raster.height))
+        val gradient = settings[PictureParameters.BACKGROUND]?.gradient
+        return PictureFrame(sampled(scene, raster).within(region), gradient, up, names)
+    }
+
+    private fun cut(scene: Scene): Scene {
+        val cuts = settings[PictureParameters.CUT] ?: return scene
+        if (scene.isOnScreen) refuse("${names.of(PictureParameters.CUT)}: a scene given on the screen cannot be cut")
+        val planes = cuts.map { it.plane(scene) }
+        for ((cut, plane) in cuts.zip(planes)) {
+            if (!isKept(scene, plane)) continue
+            val word = names.of(PictureParameters.CUT, cut)
+            observer.warning("$word removes nothing: the input is on the other side")
+        }
+        val cut = Section(planes) { cap(it, scene) }.of(scene)
+        cut.warnings.forEach(observer::warning)
+        return cut.scene
+    }
+
+    /** Returns whether nothing of [scene] is beyond [plane]. */
+    private fun isKept(scene: Scene, plane: SectionPlane): Boolean {
+        val farthest = scene.farthest(plane.normal) ?: return false
+        return plane.normal.dot(farthest) <= plane.distance
+    }
+
+    private fun cap(material: Material, scene: Scene): Material {
+        val color = settings[PictureParameters.CAP_COLOR]
+        return when {
+            color != null && isTechnical -> Material(color, shading = Shading.CONSTANT)
+            color != null -> Section.capColor(material, color)
+            isTechnical -> hatching(scene).material()
+            else -> Section.darkened(material)
+        }
+    }
+
+    private fun hatching(scene: Scene): Hatching {
+        val size = scene.bounds?.let { maxOf(it.maxX - it.minX, it.maxY - it.minY, it.maxZ - it.minZ) } ?: 0.0
+        return Hatching(if (size > 0.0) size / HATCHES else 1.0, HATCH_SHARE, Rgba.ofRgb(HATCH_COLOR), Rgba.WHITE)
+    }
+
+    private fun sized(scene: Scene): Scene {
+        val point = settings[PictureParameters.POINT_SIZE]
+        val line = settings[PictureParameters.LINE_WIDTH]
+        if (point == null && line == null) return scene
+        return scene.withSurfaces(
+            scene.surfaces.map { surface ->
+                when {
+                    surface is Points && point != null -> surface.withSize(point)
+                    surface is Lines && line != null -> surface.withWidth(line)
+                    else -> surface
+                }
+            },
+        )
+    }
+
+    /** Returns [scene] with the chosen colour and texture, which replace those of surfaces and vertices. */
+    private fun painted(scene: Scene): Scene {
+        val color = settings[PictureParameters.COLOR]
+        val texture = settings[PictureParameters.TEXTURE]?.let { texture(it, scene) }
+        if (color == null && texture == null) return scene
+
+        // A custom shader would take precedence
+        val isOpaque = (color == null || color.alpha >= 1f) && texture?.hasAlpha != true
+        val alpha = if (isOpaque) AlphaMode.OPAQUE else AlphaMode.BLEND
+        val surfaces = scene.surfaces.map { surface ->
+            surface.withoutColors().withMaterials { material ->
+                material.withBaseColor(color ?: Rgba.WHITE).withTexture(texture.takeIf { surface.hasUvs(0) })
+                    .withShader(null).withAlphaMode(alpha)
+            }
+        }
+        return scene.withSurfaces(surfaces)
+    }
+
+    private fun texture(file: Path, scene: Scene) = Scenes.texture(file, observer.limits).also {
+        val name = names.of(PictureParameters.TEXTURE)
+        val bare = scene.surfaces.count { !it.hasUvs(0) }
+        val all = scene.surfaces.size
+        if (bare > 0 && bare == all) refuse("$name: ${observer.name} has no texture coordinates")
+        if (bare > 0) {
+            observer.warning("$bare of $all surfaces have no texture coordinates, so $name has no effect on them")
+        }
+    }
+
+    /** Returns [scene] with the chosen shading. What would take precedence over it is removed. */
+    private fun shaded(scene: Scene): Scene {
+        val shading = settings[PictureParameters.SHADING]
+        val mip = settings[PictureParameters.TEXTURE_FILTER]
+        if (shading == null && mip == null) return scene
+        return scene.withMaterials { material ->
+            val shaded = shading?.let { material.withShading(it).withShader(null).withMetallicRoughness(null) }
+            (shaded ?: material).let { if (mip == null) it else it.withMipFilter(mip) }
+        }
+    }
+
+    private fun raster(scene: Scene): Raster {
+        val size = settings.orDefault(PictureParameters.SIZE) ?: loaded.size ?: PictureSettings.USUAL_SIZE
+        val depth = settings[PictureParameters.DEPTH_CONVENTION]?.let { DepthRules(it) } ?: loaded.depth
+        val color = settings[PictureParameters.BACKGROUND]?.color ?: scene.background
+        return depth.raster(size.width, size.height, color)
+    }
+
+    private fun camera(scene: Scene, raster: Raster): Camera = try {
+        scene.camera(raster.width, raster.height)
+    } catch (e: IllegalArgumentException) {
+        if (e is NoPictureException) throw e
+        throw NoPictureException("there is no such camera: ${e.message}", e)
+    }
+
+    /** Returns [scene], which has a camera, in the chosen light, or with materials that show a lit sphere. */
+    private fun lit(scene: Scene): Scene {
+        val color = settings[PictureParameters.COLOR]
+        val matcap = settings[PictureParameters.MATCAP]
+        if (matcap != null) {
+            val picture = Scenes.texture(matcap, observer.limits)
+                .withSampling(TextureFilter.BILINEAR, TextureWrap.CLAMP, TextureWrap.CLAMP, MipFilter.NONE)
+            val shader = Matcap(picture, scene.viewpoint as Camera, scene.origin, color ?: Rgba.WHITE)
+            return scene.withMaterials { it.withShader(shader) }
+        }
+
+        // A chosen colour is shown as it is
+        val intensity = settings[PictureParameters.LIGHT_INTENSITY]?.toFloat()
+        return loaded.lit(
+            scene, settings[PictureParameters.LIGHT], intensity ?: scene.lightIntensity.takeIf { color != null },
+        )
+    }
+
+    private fun opaque(scene: Scene): Scene =
+        if (settings.has(PictureParameters.OPAQUE)) scene.withMaterials(::opaque) else scene
+
+    /** Other shaders ignore alpha if the material is opaque; a custom one sets what it likes. */
+    private fun opaque(material: Material): Material {
+        if (material.alphaMode != AlphaMode.BLEND) return material
+        val shader = material.shader?.let { custom ->
+            Shader { fragment ->
+                custom.shade(fragment)
+                fragment.setColor(fragment.red, fragment.green, fragment.blue)
+            }
+        }
+        return material.withAlphaMode(AlphaMode.OPAQUE).withShader(shader)
+    }
+
+    /** @param hasFreePlanes whether the near and the far plane of the camera can be moved */
+    private fun shadowed(scene: Scene, hasFreePlanes: Boolean): Scene {
+        val hasGroundShadow = settings.hasGroundShadow
+        if (!(settings.hasOcclusion || hasGroundShadow) || scene.bounds == null) return scene
+        if (scene.isOnScreen) {
+            val occlusion = names.of(PictureParameters.AMBIENT_OCCLUSION)
+            val shadow = names.of(PictureParameters.GROUND_SHADOW)
+            refuse("a scene given on the screen has no $occlusion and no $shadow")
+        }
+        AmbientOcclusion.obstacle(scene)?.let { refuse("${observer.name}: $it, or leave out its shadows") }
+        val isOccluded = settings.hasOcclusion && settings[PictureParameters.MATCAP] == null
+        observer.shadows(
+            (if (isOccluded) AmbientOcclusion.DEFAULT_DIRECTIONS else 0) +
+                (if (hasGroundShadow) GroundShadow.DIRECTIONS else 0),
+        )
+        val soft =
+            if (isOccluded) AmbientOcclusion.of(scene, options = options) { observer.shadowed() }.on(scene) else scene
+        if (!hasGroundShadow) return soft
+        val shadowed = GroundShadow.of(scene, options = options) { observer.shadowed() }.on(soft)
+        return if (hasFreePlanes) shadowed else shadowed.withViewpoint(scene.viewpoint)
+    }
+
+    /** Replaces what was chosen of the tone mapping that [scene] would have. */
+    private fun toned(scene: Scene): Scene {
+        val curve = settings[PictureParameters.TONE_MAP]
+        val exposure = settings[PictureParameters.EXPOSURE]
+        if (curve == null && exposure == null) return scene
+        val own = scene.effectiveToneMapping
+        return scene.withToneMapping(ToneMapping(curve ?: own.curve, exposure ?: own.exposure))
+    }
+
+    /** Returns [scene] with edges, for the pixels of [raster]. */
+    private fun drawn(scene: Scene, raster: Raster): Scene {
+        if (!settings.hasEdges) return scene
+        val isWireframe = settings.has(PictureParameters.WIREFRAME)
+        val edges = EdgeStyle(
+            if (isWireframe) EdgeSet.ALL else EdgeSet.FEATURES,
+            settings[PictureParameters.CREASE_ANGLE] ?: FeatureEdges.DEFAULT_CREASE_ANGLE,
+            settings[PictureParameters.EDGE_WIDTH] ?: PictureStyle.lineWidth(raster, style),
+            settings[PictureParameters.EDGE_COLOR] ?: Rgba.BLACK,
+            settings[PictureParameters.HIDDEN_LINES] ?: HiddenLines.NONE,
+            settings[PictureParameters.HIDDEN_COLOR] ?: EdgeStyle.HIDDEN_GREY,
+        )
+        return scene.withSurfaces(scene.surfaces + EdgeDrawing(scene.surfaces, edges))
+    }
+
+    private fun region(raster: Raster): Region {
+        val region = settings[PictureParameters.REGION] ?: return raster.region
+        if (raster.region.contains(region)) return region
+        val word = "${region.columnStart},${region.rowStart},${region.width}x${region.height}"
+        val whole = "the whole picture, which is ${raster.width}x${raster.height}"
+        refuse("${names.of(PictureParameters.REGION, word)} reaches beyond $whole")
+    }
+
+    /** Sets up [scene] for the samples of the pixels of [raster]. What was not chosen gives way to obstacles. */
+    private fun sampled(scene: Scene, raster: Raster): SampledFrame {
+        val aa = PictureParameters.AA
+        val filter = settings[PictureParameters.AA_FILTER] ?: PixelFilter.BOX
+        val wish = SuperSampling(settings.factor, filter)
+        val obstacle = wish.obstacle(scene, raster)
+        if (obstacle != null && settings[aa] != null) {
+            refuse("${names.of(aa, wish.factor)}: $obstacle; use ${names.of(aa, 1)}")
+        }
+        val sampling = if (obstacle == null) wish else SuperSampling(1, filter)
+        val sampled = sampling.frame(scene, raster, options)
+
+        // Occlusion makes shading expensive, so that a pixel is shaded once
+        val rate = settings.orDefault(PictureParameters.SHADING_RATE)
+            ?: if (settings.hasOcclusion) ShadingRate.PIXEL else ShadingRate.SAMPLE
+        if (rate == ShadingRate.SAMPLE) return sampled
+        if (!sampled.frame.hasTranslucency) {
+            return SuperSampling(sampling.factor, filter, ShadingRate.PIXEL).of(sampled.frame)
+        }
+        if (settings[PictureParameters.SHADING_RATE] == null) return sampled
+        val pixel = names.of(PictureParameters.SHADING_RATE, "pixel")
+        val sample = names.of(PictureParameters.SHADING_RATE, "sample")
+        refuse("$pixel: the scene is translucent; use $sample, or ${names.of(PictureParameters.OPAQUE)}")
+    }
+
+    private companion object {
+        /** Number of stripes of a cap along the model, the part of it that they cover, and their colour. */
+        const val HATCHES = 40
+        const val HATCH_SHARE = 0.2
+        const val HATCH_COLOR = 0x606060
+    }
+}

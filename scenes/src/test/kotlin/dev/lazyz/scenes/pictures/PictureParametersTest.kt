@@ -1,0 +1,60 @@
+package dev.lazyz.scenes.pictures
+
+import dev.lazyz.Rgba
+import dev.lazyz.shared.PictureWords
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+class PictureParametersTest {
+    /** The tests of the doors try these words, so that none can lack a parameter of its own. */
+    @Test
+    fun wordsOfEachParameterAreTried() {
+        assertEquals(PictureParameters.all.map { it.name }, PictureWords.all.keys.toList())
+        for (parameter in PictureParameters.all) {
+            val words = PictureWords.all.getValue(parameter.name)
+            words.dropLast(1).forEach { parameter.values.read(it) }
+            assertThrows(IllegalArgumentException::class.java, { parameter.values.read(words.last()) }, parameter.name)
+        }
+    }
+
+    @Test
+    fun aDoorWithoutAParameterHasAReason() {
+        assertTrue(PictureParameters.all.flatMap { it.missing.values }.all { it.length > 10 })
+    }
+
+    @Test
+    fun valuesOfProgramsAreCheckedToo() {
+        val usual = PictureSettings(40, 30)
+        val zoom = assertThrows(IllegalArgumentException::class.java) { usual.with(PictureParameters.ZOOM, 0.0) }
+        assertEquals("zoom must be in 0.001..1000: 0.0", zoom.message)
+        assertThrows(IllegalArgumentException::class.java) { usual.with(PictureParameters.AA, 3) }
+        assertThrows(IllegalArgumentException::class.java) { usual.withDefault(PictureParameters.COLOR, Rgba.WHITE) }
+    }
+
+    /** `docs/parameters.md` has a row for each parameter; `-Dlazyz.update=true` writes them. */
+    @Test
+    fun thePageShowsTheTable() {
+        val page = generateSequence(Path.of("").toAbsolutePath()) { it.parent }
+            .map { it.resolve("docs/parameters.md") }.first { Files.exists(it) }
+        val text = page.readText()
+        val table = PictureParameters.all.groupBy { it.group }.map { (group, rows) ->
+            "## ${group.title}\n\n| parameter | what it does | service | Spark |\n|---|---|---|---|\n" +
+                rows.joinToString("") { row(it) }
+        }.joinToString("\n")
+        val expected = text.substringBefore("## ${ParameterGroup.READING.title}\n") + table
+        if (System.getProperty("lazyz.update") == "true") page.writeText(expected)
+        assertEquals(expected, page.readText(), "write it with -Dlazyz.update=true")
+    }
+
+    private fun row(parameter: PictureParameter<*>): String {
+        val term = listOfNotNull(parameter.name, parameter.values.form).joinToString(" ")
+        val doors = listOf(PictureDoor.SERVICE, PictureDoor.SPARK).joinToString(" | ") { parameter.missing[it] ?: "✓" }
+        return "| `--$term` | ${parameter.text().replace("INPUT", "the input")} | $doors |\n"
+    }
+}
