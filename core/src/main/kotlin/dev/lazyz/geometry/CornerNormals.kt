@@ -1,5 +1,6 @@
 package dev.lazyz.geometry
 
+import dev.lazyz.Checkpoint
 import kotlin.math.sqrt
 
 /**
@@ -193,8 +194,10 @@ internal class CornerNormals(
 /**
  * The corners of a mesh's triangles (three for each) grouped by position. Positions are numbered, and the corners of
  * each position are in the order of the triangles. Immutable.
+ *
+ * @param checkpoint may end the grouping
  */
-internal class CornersByPosition(positions: FloatArray, triangles: IntArray) {
+internal class CornersByPosition(positions: FloatArray, triangles: IntArray, private val checkpoint: Checkpoint) {
     /** By vertex: the number of its position. */
     val positionOf: IntArray = positionNumbers(positions)
 
@@ -208,10 +211,16 @@ internal class CornersByPosition(positions: FloatArray, triangles: IntArray) {
         // Counts are stored two places up, so their running sums are the starts of the positions, one place up. The
         // loop below then advances each of them to the end of its position, which is the start of the next
         starts = IntArray((positionOf.maxOrNull() ?: -1) + 3)
-        for (vertex in triangles) starts[positionOf[vertex] + 2]++
+        for ((corner, vertex) in triangles.withIndex()) {
+            passAt(corner)
+            starts[positionOf[vertex] + 2]++
+        }
         for (i in 2 until starts.size) starts[i] += starts[i - 1]
         corners = IntArray(triangles.size)
-        for ((corner, vertex) in triangles.withIndex()) corners[starts[positionOf[vertex] + 1]++] = corner
+        for ((corner, vertex) in triangles.withIndex()) {
+            passAt(corner)
+            corners[starts[positionOf[vertex] + 1]++] = corner
+        }
     }
 
     /** Number of positions. */
@@ -221,8 +230,13 @@ internal class CornersByPosition(positions: FloatArray, triangles: IntArray) {
         val count = p.size / 3
         val distinct = DistinctTriples(count)
         return IntArray(count) {
+            passAt(it)
             distinct.addPoint(p[3 * it], p[3 * it + 1], p[3 * it + 2])
         }
+    }
+
+    private fun passAt(number: Int) {
+        if (Checkpoint.isDue(number)) checkpoint.pass()
     }
 }
 

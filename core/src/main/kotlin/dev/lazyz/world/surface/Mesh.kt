@@ -1,5 +1,6 @@
 package dev.lazyz.world.surface
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.geometry.Box
@@ -157,10 +158,12 @@ public class Mesh @JvmOverloads constructor(
      * more than 1024 corners of triangles are at one position, all of them are averaged. Cost: linear in the size of
      * the mesh.
      *
+     * @param look called now and then on the calling thread; what it throws ends the work
      * @throws IllegalArgumentException if [creaseAngle] is not in 0..180
      */
     @JvmOverloads
-    public fun withSmoothNormals(creaseAngle: Double = 45.0): Mesh = SmoothNormals(this, creaseAngle).mesh()
+    public fun withSmoothNormals(creaseAngle: Double = 45.0, look: Runnable? = null): Mesh =
+        SmoothNormals(this, creaseAngle, look?.let { Checkpoint(it::run) } ?: Checkpoint.NONE).mesh()
 
     /**
      * Returns this mesh with tangents computed from its texture coordinates, for a normal map at these coordinates; see

@@ -10,8 +10,14 @@ import dev.lazyz.geometry.CornersByPosition
  *
  * Face normals are added in the order of the triangles, and vertices are numbered in the order of their first corner,
  * so the result does not depend on how the work is divided between threads.
+ *
+ * @param checkpoint may end the work; passed on the calling thread
  */
-internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Double) {
+internal class SmoothNormals(
+    private val mesh: Mesh,
+    private val creaseAngle: Double,
+    private val checkpoint: Checkpoint = Checkpoint.NONE,
+) {
     init {
         require(creaseAngle in 0.0..180.0) { "creaseAngle must be in 0..180 degrees: $creaseAngle" }
     }
@@ -26,12 +32,12 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
     private class Copies(val positionOf: IntArray, val sizes: IntArray, val normals: List<FloatArray>)
 
     private fun copies(): Copies {
-        val byPosition = CornersByPosition(mesh.positions, mesh.triangles)
+        val byPosition = CornersByPosition(mesh.positions, mesh.triangles, checkpoint)
         val firstCopy = IntArray(mesh.vertexCount) { -1 }
         val chunks = List((byPosition.count + CHUNK - 1) / CHUNK) {
             CornerNormals(mesh.positions, mesh.triangles, creaseAngle, firstCopy, triangles)
         }
-        Workers.ALL.forEach(chunks.size, Checkpoint.NONE) { chunk, _ ->
+        Workers.ALL.forEach(chunks.size, checkpoint) { chunk, _ ->
             for (position in chunk * CHUNK until minOf((chunk + 1) * CHUNK, byPosition.count)) {
                 chunks[chunk].add(byPosition.corners, byPosition.starts[position], byPosition.starts[position + 1])
             }
@@ -46,6 +52,7 @@ internal class SmoothNormals(private val mesh: Mesh, private val creaseAngle: Do
         val normals = FloatArray(3 * sources.size)
         var count = 0
         for ((corner, vertex) in mesh.triangles.withIndex()) {
+            if (Checkpoint.isDue(corner)) checkpoint.pass()
             val chunk = copies.positionOf[vertex] / CHUNK
             val copy = triangles[corner]
             var number = numbers[chunk][copy]

@@ -132,7 +132,7 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
             val problem = "has too many triangles for the memory: their normals need $need bytes, Java may use $most"
             source.exhausted(problem, "raise -Xmx, or LoadOptions(smoothNormals = false)")
         }
-        return mesh.withSmoothNormals(creaseAngle)
+        return mesh.withSmoothNormals(creaseAngle) { look(source.name) }
     }
 
     /** What else may be needed for more elements of [bytes] each; nothing, if they are not kept in memory. */

@@ -65,7 +65,8 @@ internal object MissingNormals {
      * Returns [mesh] with normals from [smooth], whose corners are the same, or of [flat] triangles, at [missing] ones.
      */
     private fun combined(source: Source, mesh: Mesh, missing: BitSet, flat: BitSet, smooth: Mesh): Mesh {
-        val ofTriangles = if (flat.isEmpty) smooth else smooth.withSmoothNormals(creaseAngle = 0.0)
+        val loading = source.loading
+        val ofTriangles = if (flat.isEmpty) smooth else smooth.withSmoothNormals(0.0) { loading.look(source.name) }
 
         // By vertex: the one of the mesh, and those with its computed normal, or -1
         val vertices = DistinctTriples(mesh.vertexCount)

@@ -5,6 +5,8 @@ import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -35,6 +37,19 @@ class InterruptedReadingTest {
     internal fun readingPartByPartEndsWithin100MillisecondsOfProcessorTime(input: LongInput) {
         val bytes = input.bytes()
         assertEnds { Scenes.stream(bytes.inputStream(), input.format, "a", LIMITS, folder).close() }
+    }
+
+    @Test
+    fun computingNormalsEndsWithin100MillisecondsOfProcessorTime() {
+        val facets = 200_000
+        val bytes = ByteBuffer.allocate(84 + 50 * facets).order(ByteOrder.LITTLE_ENDIAN).putInt(80, facets)
+        bytes.position(84)
+        for (i in 0 until facets) {
+            val numbers = FloatArray(12) { (31 * i + it) * it % 1009f }
+            numbers.forEach(bytes::putFloat)
+            bytes.putShort(0)
+        }
+        assertEnds { Scenes.load(bytes.array(), SceneFormat.STL, "a", LoadOptions(LIMITS)) }
     }
 
     @Test
