@@ -14,6 +14,8 @@ module dev.lazyz.core {
     exports dev.lazyz.pipeline;
     exports dev.lazyz.planning;
     exports dev.lazyz.sections;
+    exports dev.lazyz.setup;
+    exports dev.lazyz.spi;
     exports dev.lazyz.strategies.flow;
     exports dev.lazyz.strategies.hierarchical;
     exports dev.lazyz.strategies.hybrid;

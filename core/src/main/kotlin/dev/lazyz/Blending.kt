@@ -1,5 +1,9 @@
 package dev.lazyz
 
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.ShadingCursor
+import dev.lazyz.spi.Srgb
+
 /**
  * Blends the fragments of one sample from front to back (contract rule 5.5). All renderers that blend use these
  * operations in this order, so their results are equal bit for bit.

@@ -34,18 +34,3 @@ public enum class Capability {
     /** Supports [RenderOptions.selector]: the caller chooses which fragments of a sample determine its colour. */
     SELECTION,
 }
-
-/**
- * How deferred shading steps attributes between samples. All modes give the same colours, bit for bit (see
- * [ShadingCursor]).
- */
-public enum class Coherence {
-    /** The attributes of each sample are evaluated directly. */
-    DIRECT,
-
-    /** The attributes are stepped from the last visible sample of the same primitive on the row. */
-    INCREMENTAL,
-
-    /** A cost model chooses between the two for each primitive and gap (see [Primitive.shadingStartCost]). */
-    ADAPTIVE,
-}

@@ -1,5 +1,7 @@
 package dev.lazyz
 
+import dev.lazyz.spi.ShadingCursor
+
 /**
  * Work that a renderer did, in units that have the same meaning for every renderer (contract rule 8). Immutable.
  *

@@ -1,5 +1,7 @@
 package dev.lazyz
 
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.ShadingObserver
 import java.util.function.IntPredicate
 
 /**
@@ -42,9 +44,9 @@ public class Frame internal constructor(
 
     /**
      * Whether the primitives are read while they are rendered, and not kept in memory, because the scene has a
-     * `StreamedMesh`. Such a frame needs `Tiled`, `ZBuffer`, `Hybrid`, `HierarchicalZBuffer`, or another
-     * renderer that iterates the [primitives] only once; other renderers throw [IllegalArgumentException] before they
-     * start. Translucent primitives need `Tiled`.
+     * `StreamedMesh`. Such a frame needs `TiledRenderer`, `ZBufferRenderer`, `HybridRenderer`, `HierarchicalRenderer`,
+     * or another renderer that iterates the [primitives] only once; other renderers throw [IllegalArgumentException]
+     * before they start. Translucent primitives need `TiledRenderer`.
      */
     public val isStreamed: Boolean get() = content.parts != null
 
@@ -90,9 +92,9 @@ public class Frame internal constructor(
 
     /**
      * Returns this frame with primitives that report each shading call to [observer]. Colours, depths and counters are
-     * the same. The order of the calls is that of this frame for all built-in renderers but `Tiled`, which shades the
-     * fragments of one primitive together if it can: here it shades each tile row by row. Cost: an object for each
-     * primitive.
+     * the same. The order of the calls is that of this frame for all built-in renderers but `TiledRenderer`, which
+     * shades the fragments of one primitive together if it can: here it shades each tile row by row. Cost: an object
+     * for each primitive.
      */
     public fun observed(observer: ShadingObserver): Frame {
         val all = content.withAll { index, primitive -> ObservedPrimitive(primitive, index, observer) }

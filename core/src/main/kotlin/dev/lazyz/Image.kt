@@ -155,6 +155,28 @@ public class Image(
         }
     }
 
+    /** Computes [Image.pixelHash] row by row. Not thread safe. */
+    public class PixelHash {
+        private val sha = MessageDigest.getInstance("SHA-256")
+        private var bytes = ByteArray(0)
+
+        /** Adds the first [width] colours of a row, `0xAARRGGBB`. */
+        public fun add(argb: IntArray, width: Int) {
+            if (bytes.size < 4 * width) bytes = ByteArray(4 * width)
+            for (x in 0 until width) {
+                val color = argb[x]
+                bytes[4 * x] = (color ushr 24).toByte()
+                bytes[4 * x + 1] = (color ushr 16).toByte()
+                bytes[4 * x + 2] = (color ushr 8).toByte()
+                bytes[4 * x + 3] = color.toByte()
+            }
+            sha.update(bytes, 0, 4 * width)
+        }
+
+        /** Returns the hash of the rows so far as 64 hexadecimal digits, and resets. */
+        public fun digest(): String = sha.digest().joinToString("") { "%02x".format(it) }
+    }
+
     public companion object {
         /** Most samples of an image, and of anything else with an array element for each sample. */
         internal const val MAX_SAMPLES: Long = Int.MAX_VALUE - 8L
@@ -210,26 +232,4 @@ public class Image(
             return merged
         }
     }
-}
-
-/** Computes [Image.pixelHash] row by row. Not thread safe. */
-public class PixelHash {
-    private val sha = MessageDigest.getInstance("SHA-256")
-    private var bytes = ByteArray(0)
-
-    /** Adds the first [width] colours of a row, `0xAARRGGBB`. */
-    public fun add(argb: IntArray, width: Int) {
-        if (bytes.size < 4 * width) bytes = ByteArray(4 * width)
-        for (x in 0 until width) {
-            val color = argb[x]
-            bytes[4 * x] = (color ushr 24).toByte()
-            bytes[4 * x + 1] = (color ushr 16).toByte()
-            bytes[4 * x + 2] = (color ushr 8).toByte()
-            bytes[4 * x + 3] = color.toByte()
-        }
-        sha.update(bytes, 0, 4 * width)
-    }
-
-    /** Returns the hash of the rows so far as 64 hexadecimal digits, and resets. */
-    public fun digest(): String = sha.digest().joinToString("") { "%02x".format(it) }
 }

@@ -2,6 +2,14 @@
 
 package dev.lazyz
 
+import dev.lazyz.RenderOptions.Coherence
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.ShadingCursor
+import dev.lazyz.spi.ShadingObserver
+import dev.lazyz.spi.SpanCursor
+import dev.lazyz.spi.Spans
+
 /**
  * Something that covers samples of a raster. Renderers determine which primitive is visible at each sample.
  *
@@ -114,66 +122,12 @@ public interface Primitive {
 /** Returns this primitive if it is opaque; otherwise an opaque version of it, whose colours have alpha 1. */
 public fun Primitive.asOpaque(): Primitive = if (isTranslucent) OpaquePrimitive(this) else this
 
-/**
- * Incremental shading: carries state from sample to sample along a row. Used by one thread.
- *
- * Source: Steve Hill, "The Lazy Z-Buffer", Information Processing Letters 55 (1995), section 4.
- */
-public interface ShadingCursor {
-    /**
-     * Moves to the next column. Less expensive than a direct evaluation; [Primitive.shadingStartCost] gives the ratio.
-     */
-    public fun step()
-
-    /** Computes the colour at the current column. [fragment] has already been moved there. */
-    public fun shade(fragment: Fragment)
-}
-
-/** Returns the spans of a primitive row by row, downward. Used by one thread. */
-public fun interface SpanCursor {
-    /** Replaces the contents of [spans] with the spans of the current row, then moves to the next row. */
-    public fun next(spans: Spans)
-}
-
 /** The reference implementation of a cursor: evaluates each row directly. */
 private class DirectCursor(private val primitive: Primitive, private var y: Int) : SpanCursor {
     override fun next(spans: Spans) {
         spans.clear()
         primitive.spans(y, spans)
         y++
-    }
-}
-
-/**
- * A linear function of the sample position: v(x, y) = c + dx x + dy y, in 64-bit two's complement.
- *
- * x and y are the column and row of a sample. Addition wraps and is associative, so stepping along a row by [dx],
- * stepping down a column by [dy] and evaluating with [at] give the same result, bit for bit (contract rule 3.1). In the
- * form of a depth, the upper 32 bits are the integer part and the lower 32 the fraction. Edge functions are plain
- * integers. Immutable and thread safe.
- *
- * @property c value at sample (0, 0)
- * @property dx change from one column to the next
- * @property dy change from one row to the next
- */
-public class LinearForm(public val c: Long, public val dx: Long, public val dy: Long) {
-    /** Returns the value at sample ([x], [y]). Cost: two multiplications. */
-    public fun at(x: Int, y: Int): Long = c + dx * x + dy * y
-
-    override fun equals(other: Any?): Boolean =
-        other is LinearForm && c == other.c && dx == other.dx && dy == other.dy
-
-    override fun hashCode(): Int = (c.hashCode() * 31 + dx.hashCode()) * 31 + dy.hashCode()
-
-    override fun toString(): String = "LinearForm($c + $dx x + $dy y)"
-
-    public companion object {
-        /** Returns the form whose integer part is [value] everywhere. */
-        @JvmStatic
-        public fun constant(value: Int): LinearForm = LinearForm((value.toLong() shl 32) + HALF, 0, 0)
-
-        /** Half a unit of the integer part. It is added once, so that truncating the fraction rounds to nearest. */
-        internal const val HALF: Long = 1L shl 31
     }
 }
 
@@ -204,4 +158,29 @@ internal class UnshadedPrimitive(private val whole: Primitive) : Primitive by wh
     override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
 
     override fun toString(): String = "UnshadedPrimitive($whole)"
+}
+
+/** A primitive like [whole], with the submission index [index], which reports each shading call to [observer]. */
+internal class ObservedPrimitive(val whole: Primitive, private val index: Int, private val observer: ShadingObserver) :
+    Primitive by whole {
+    override fun shade(fragment: Fragment) {
+        observer.shading(fragment.x, fragment.y, index)
+        whole.shade(fragment)
+    }
+
+    /** Without a shading call. */
+    override fun geometry(fragment: Fragment): Unit = whole.geometry(fragment)
+
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = whole.shadingCursor(x, y)?.let { ObservedCursor(it) }
+
+    override fun toString(): String = "ObservedPrimitive($whole)"
+
+    private inner class ObservedCursor(private val cursor: ShadingCursor) : ShadingCursor {
+        override fun step() = cursor.step()
+
+        override fun shade(fragment: Fragment) {
+            observer.shading(fragment.x, fragment.y, index)
+            cursor.shade(fragment)
+        }
+    }
 }

@@ -67,40 +67,42 @@ public class Raster @JvmOverloads constructor(
     override fun toString(): String =
         "Raster($width x $height, $background, $convention, $depthTest, backgroundDepth=$backgroundDepth)"
 
+    /**
+     * The direction in which depth increases (contract rule 4.1). Both conventions give the same image, but the stored
+     * depths are mirrored.
+     *
+     * @property farthest the depth behind everything, the default for a background
+     */
+    public enum class DepthConvention(public val farthest: Int) {
+        /** Depth increases away from the viewer; the background is at the maximum depth, 2^31-1. */
+        SMALLER_IS_NEARER(Int.MAX_VALUE) {
+            override val nearest: DepthTest get() = DepthTest.LESS
+        },
+
+        /** Depth increases toward the viewer; the background is at depth 0. */
+        LARGER_IS_NEARER(0) {
+            override val nearest: DepthTest get() = DepthTest.GREATER
+        },
+        ;
+
+        /** The depth test that makes the nearest fragment visible. */
+        public abstract val nearest: DepthTest
+
+        /** Returns the depth at the fraction [unit] of the range from the near plane (0) to the far plane (1). */
+        internal fun ofUnit(unit: Double): Int = turned(Depth.ofUnit(unit))
+
+        /**
+         * Returns where [depth] is between the near plane (0) and the far plane (1); depths in the margins are clamped.
+         */
+        internal fun toUnit(depth: Int): Double = Depth.toUnit(turned(depth)).coerceIn(0.0, 1.0)
+
+        private fun turned(depth: Int): Int = if (this == SMALLER_IS_NEARER) depth else Int.MAX_VALUE - depth
+    }
+
     public companion object {
         /** Maximum width and height, in samples. */
         public const val MAX_SIDE: Int = 262_144
     }
-}
-
-/**
- * The direction in which depth increases (contract rule 4.1). Both conventions give the same image, but the stored
- * depths are mirrored.
- *
- * @property farthest the depth behind everything, the default for a background
- */
-public enum class DepthConvention(public val farthest: Int) {
-    /** Depth increases away from the viewer; the background is at the maximum depth, 2^31-1. */
-    SMALLER_IS_NEARER(Int.MAX_VALUE) {
-        override val nearest: DepthTest get() = DepthTest.LESS
-    },
-
-    /** Depth increases toward the viewer; the background is at depth 0. */
-    LARGER_IS_NEARER(0) {
-        override val nearest: DepthTest get() = DepthTest.GREATER
-    },
-    ;
-
-    /** The depth test that makes the nearest fragment visible. */
-    public abstract val nearest: DepthTest
-
-    /** Returns the depth at the fraction [unit] of the range from the near plane (0) to the far plane (1). */
-    internal fun ofUnit(unit: Double): Int = turned(Depth.ofUnit(unit))
-
-    /** Returns where [depth] is between the near plane (0) and the far plane (1); depths in the margins are clamped. */
-    internal fun toUnit(depth: Int): Double = Depth.toUnit(turned(depth)).coerceIn(0.0, 1.0)
-
-    private fun turned(depth: Int): Int = if (this == SMALLER_IS_NEARER) depth else Int.MAX_VALUE - depth
 }
 
 /**

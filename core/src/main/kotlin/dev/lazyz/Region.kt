@@ -1,5 +1,7 @@
 package dev.lazyz
 
+import dev.lazyz.spi.Spans
+
 /**
  * A rectangle of samples: columns [columnStart] until [columnEnd], rows [rowStart] until [rowEnd]. Immutable.
  *
@@ -73,6 +75,9 @@ public class Region(
         maxOf(columnEnd, other.columnEnd),
         maxOf(rowEnd, other.rowEnd),
     )
+
+    /** Returns an empty list of spans that keeps only the columns of this region. */
+    public fun spans(): Spans = Spans(columnStart, columnEnd)
 
     override fun equals(other: Any?): Boolean = other is Region && columnStart == other.columnStart &&
         rowStart == other.rowStart && columnEnd == other.columnEnd && rowEnd == other.rowEnd

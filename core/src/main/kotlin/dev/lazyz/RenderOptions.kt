@@ -1,5 +1,6 @@
 package dev.lazyz
 
+import dev.lazyz.spi.ShadingCursor
 import java.util.concurrent.Executor
 
 /**
@@ -18,9 +19,9 @@ import java.util.concurrent.Executor
  *   shows its visible fragment, or all fragments blended if the frame has translucent primitives
  * @property executor runs the threads other than the calling one; null for threads of the library. Renderers do not
  *   wait for the executor to begin a task: if it is busy, the calling thread does the work
- * @property bandBytes most bytes of the rows that `Tiled` and `HierarchicalZBuffer` keep of a streamed frame, at 12 a
- *   sample, but at least one row: a larger picture is rendered in bands, with a pass over the primitives for each. Null
- *   for a third of the heap
+ * @property bandBytes most bytes of the rows that `TiledRenderer` and `HierarchicalRenderer` keep of a streamed frame,
+ *   at 12 a sample, but at least one row: a larger picture is rendered in bands, with a pass over the primitives for
+ *   each. Null for a third of the heap
  * @throws IllegalArgumentException if a number is out of range
  */
 public class RenderOptions @JvmOverloads constructor(
@@ -120,4 +121,19 @@ public class RenderOptions @JvmOverloads constructor(
     override fun toString(): String =
         "RenderOptions($coherence, memoryBudget=$memoryBudget, threads=$threads, tileSize=$tileSize, " +
             "selector=$selector, executor=$executor, bandBytes=$bandBytes)"
+
+    /**
+     * How deferred shading steps attributes between samples. All modes give the same colours, bit for bit (see
+     * [ShadingCursor]).
+     */
+    public enum class Coherence {
+        /** The attributes of each sample are evaluated directly. */
+        DIRECT,
+
+        /** The attributes are stepped from the last visible sample of the same primitive on the row. */
+        INCREMENTAL,
+
+        /** A cost model chooses between the two for each primitive and gap (see [Primitive.shadingStartCost]). */
+        ADAPTIVE,
+    }
 }

@@ -9,26 +9,6 @@ import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.runInterruptible
 
 /**
- * A finished row of a picture. Its arrays belong to the reader, who may keep and change them.
- *
- * Any renderer makes such rows, see [RenderedRows]. `Row` of the package `pipeline` is a row of `LazyZBuffer` and
- * `FlowPipeline` whose colours are not computed yet, and which refers to the frame.
- *
- * @property y the number of the row in the raster
- * @property argb colours, 8-bit sRGB with straight alpha, `0xAARRGGBB`; element 0 is the first column of the region
- * @property depth depths, 0..2^31-1, see [Depth]
- * @property primitive submission index of the visible primitive, or [DepthTest.BACKGROUND]
- */
-public class RenderedRow internal constructor(
-    public val y: Int,
-    public val argb: IntArray,
-    public val depth: IntArray,
-    public val primitive: IntArray,
-) {
-    override fun toString(): String = "RenderedRow($y, ${argb.size} columns)"
-}
-
-/**
  * The rows of a picture as an iterator, from the top, by any [Renderer]. The reader pulls them one by one, and the
  * rendering waits for it, so a picture can be larger than memory. In Kotlin:
  *
@@ -58,13 +38,13 @@ public class RenderedRow internal constructor(
  * renderer that does not check for interrupts stops at its next row. Used by one thread at a time.
  */
 public class RenderedRows internal constructor(private val width: Int, private val render: (RowSink) -> Counters) :
-    Iterator<RenderedRow>,
+    Iterator<RenderedRows.Row>,
     AutoCloseable {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
 
     /** The row that waits for the reader. All that follows is guarded by the lock. */
-    private var row: RenderedRow? = null
+    private var row: RenderedRows.Row? = null
     private var state = State.NEW
     private var thread: Thread? = null
     private var failure: Throwable? = null
@@ -108,7 +88,7 @@ public class RenderedRows internal constructor(private val width: Int, private v
      *
      * @throws NoSuchElementException if there is none
      */
-    override fun next(): RenderedRow {
+    override fun next(): RenderedRows.Row {
         if (!hasNext()) throw NoSuchElementException("there are no more rows")
         return lock.withLock {
             val next = checkNotNull(row)
@@ -143,7 +123,7 @@ public class RenderedRows internal constructor(private val width: Int, private v
                 thread = Thread.currentThread()
             }
             counters = render { y, argb, depth, primitive ->
-                put(RenderedRow(y, argb.copyOf(width), depth.copyOf(width), primitive.copyOf(width)))
+                put(RenderedRows.Row(y, argb.copyOf(width), depth.copyOf(width), primitive.copyOf(width)))
             }
         } catch (e: Throwable) {
             thrown = e
@@ -161,7 +141,7 @@ public class RenderedRows internal constructor(private val width: Int, private v
         }
     }
 
-    private fun put(next: RenderedRow) = lock.withLock {
+    private fun put(next: RenderedRows.Row) = lock.withLock {
         while (row != null && !isClosed) changed.await()
         if (isClosed) throw InterruptedException("the reader has closed the rows")
         row = next
@@ -177,6 +157,26 @@ public class RenderedRows internal constructor(private val width: Int, private v
 
     private enum class State { NEW, RUNNING, OVER }
 
+    /**
+     * A finished row of a picture. Its arrays belong to the reader, who may keep and change them.
+     *
+     * Any renderer makes such rows, see [RenderedRows]. `Row` of the package `pipeline` is a row of `LazyRenderer` and
+     * `FlowRenderer` whose colours are not computed yet, and which refers to the frame.
+     *
+     * @property y the number of the row in the raster
+     * @property argb colours, 8-bit sRGB with straight alpha, `0xAARRGGBB`; element 0 is the first column of the region
+     * @property depth depths, 0..2^31-1, see [Depth]
+     * @property primitive submission index of the visible primitive, or [DepthTest.BACKGROUND]
+     */
+    public class Row internal constructor(
+        public val y: Int,
+        public val argb: IntArray,
+        public val depth: IntArray,
+        public val primitive: IntArray,
+    ) {
+        override fun toString(): String = "Row($y, ${argb.size} columns)"
+    }
+
     public companion object {
         /** Returns the rows that [renderer] computes of [frame]. */
         @JvmStatic
@@ -191,7 +191,7 @@ public class RenderedRows internal constructor(private val width: Int, private v
          * [kotlinx.coroutines.Dispatchers.IO].
          */
         @JvmSynthetic
-        public fun flow(open: () -> RenderedRows): Flow<RenderedRow> = kotlinx.coroutines.flow.flow {
+        public fun flow(open: () -> RenderedRows): Flow<RenderedRows.Row> = kotlinx.coroutines.flow.flow {
             open().use { rows -> while (runInterruptible { rows.awaitNext() }) emit(rows.next()) }
         }
     }

@@ -1,6 +1,8 @@
 package dev.lazyz
 
+import dev.lazyz.spi.Srgb
 import kotlin.math.abs
+import kotlin.math.floor
 
 /**
  * A colour in linear light with straight (not premultiplied) alpha.
@@ -137,6 +139,32 @@ public class Rgba @JvmOverloads constructor(
             val alpha = if (long.length == 8) long.substring(6).toInt(16) else 0xFF
             return ofArgb(alpha shl 24 or rgb)
         }
+
+        /**
+         * Returns the colour at [position] of the scale Viridis, from dark blue, 0, over green to yellow, 1. Less, and
+         * NaN, count as 0; more counts as 1. The scale is even in brightness, also for colour-blind readers and in grey
+         * prints. For pictures of numbers, such as depth or overdraw.
+         *
+         * It is given by eight colours, evenly spaced, and is linear in the codes of sRGB between them; so it is within
+         * a few codes of the scale that it is named after (Stéfan van der Walt and Nathaniel Smith, Matplotlib 2.0,
+         * 2015).
+         */
+        @JvmStatic
+        public fun viridis(position: Double): Rgba {
+            val place = (if (position > 0.0) minOf(position, 1.0) else 0.0) * (VIRIDIS.size - 1)
+            val lower = minOf(floor(place).toInt(), VIRIDIS.size - 2)
+            var rgb = 0
+            for (shift in 16 downTo 0 step 8) {
+                val from = VIRIDIS[lower] shr shift and 0xFF
+                val to = VIRIDIS[lower + 1] shr shift and 0xFF
+                rgb = rgb or (floor(from + (place - lower) * (to - from) + 0.5).toInt() shl shift)
+            }
+            return ofRgb(rgb)
+        }
+
+        /** Eight colours of Viridis from dark to light, evenly spaced, `0xRRGGBB`. */
+        private val VIRIDIS =
+            intArrayOf(0x440154, 0x46327E, 0x365C8D, 0x277F8E, 0x1FA187, 0x4AC16D, 0xA0DA39, 0xFDE725)
 
         /** The hues at which the components are alone, in sixths of a turn. */
         private const val RED_SEXTANT = 0.0

@@ -1,5 +1,8 @@
 package dev.lazyz
 
+import dev.lazyz.Selector.Cell
+import dev.lazyz.spi.Fragment
+
 /**
  * Chooses what a sample shows, given all its fragments. This is the selection over a list of (depth, suspended colour)
  * of Hill's paper.
@@ -21,6 +24,53 @@ public fun interface Selector {
      * background.
      */
     public fun select(cell: Cell)
+
+    /**
+     * The fragments of one sample, in the order of the raster's depth test: fragment 0 is the nearest.
+     *
+     * Contains only fragments that pass the depth test against the background. Colours are computed on demand by
+     * [shade]. The cell belongs to the renderer and is valid only during [Selector.select].
+     */
+    public interface Cell {
+        /** Column of the sample. */
+        public val x: Int
+
+        /** Row of the sample. */
+        public val y: Int
+
+        /** Number of fragments, at least 1. */
+        public val size: Int
+
+        /** Colour of the background, linear light. */
+        public val background: Rgba
+
+        /**
+         * Returns the depth of fragment [i], 0..2^31-1. Accessing only fragment 0 is cheaper, because it needs no
+         * sorting.
+         */
+        public fun depth(i: Int): Int
+
+        /** Returns the submission index of the primitive of fragment [i]. */
+        public fun primitive(i: Int): Int
+
+        /** Returns whether fragment [i] belongs to a translucent primitive. */
+        public fun isTranslucent(i: Int): Boolean
+
+        /**
+         * Computes the colour of fragment [i]; each call is one shading call. The result belongs to the renderer and is
+         * overwritten by the next call.
+         */
+        public fun shade(i: Int): Fragment
+
+        /** Sets the sample to the colour, depth and primitive of fragment [i]. The last call of `show` is used. */
+        public fun show(i: Int)
+
+        /**
+         * Sets the sample to the depth and primitive of fragment [i], and to the given colour, linear light with
+         * straight alpha.
+         */
+        public fun show(i: Int, red: Float, green: Float, blue: Float, alpha: Float)
+    }
 
     public companion object {
         /**
@@ -71,52 +121,6 @@ public fun interface Selector {
     }
 }
 
-/**
- * The fragments of one sample, in the order of the raster's depth test: fragment 0 is the nearest.
- *
- * Contains only fragments that pass the depth test against the background. Colours are computed on demand by [shade].
- * The cell belongs to the renderer and is valid only during [Selector.select].
- */
-public interface Cell {
-    /** Column of the sample. */
-    public val x: Int
-
-    /** Row of the sample. */
-    public val y: Int
-
-    /** Number of fragments, at least 1. */
-    public val size: Int
-
-    /** Colour of the background, linear light. */
-    public val background: Rgba
-
-    /**
-     * Returns the depth of fragment [i], 0..2^31-1. Accessing only fragment 0 is cheaper, because it needs no sorting.
-     */
-    public fun depth(i: Int): Int
-
-    /** Returns the submission index of the primitive of fragment [i]. */
-    public fun primitive(i: Int): Int
-
-    /** Returns whether fragment [i] belongs to a translucent primitive. */
-    public fun isTranslucent(i: Int): Boolean
-
-    /**
-     * Computes the colour of fragment [i]; each call is one shading call. The result belongs to the renderer and is
-     * overwritten by the next call.
-     */
-    public fun shade(i: Int): Fragment
-
-    /** Sets the sample to the colour, depth and primitive of fragment [i]. The last call of `show` is used. */
-    public fun show(i: Int)
-
-    /**
-     * Sets the sample to the depth and primitive of fragment [i], and to the given colour, linear light with straight
-     * alpha.
-     */
-    public fun show(i: Int, red: Float, green: Float, blue: Float, alpha: Float)
-}
-
 /** See [Selector.nearest]. */
 internal object NearestSelector : Selector {
     override fun select(cell: Cell) = cell.show(0)
@@ -146,8 +150,10 @@ internal class KthNearestSelector(private val k: Int) : Selector {
 
 /** See [Selector.count]. */
 internal object CountSelector : Selector {
+    private val colors = List(8) { Rgba.viridis(it / 7.0) }
+
     override fun select(cell: Cell) {
-        val color = Viridis.step(step(cell.size))
+        val color = colors[step(cell.size)]
         cell.show(0, color.red, color.green, color.blue, color.alpha)
     }
 

@@ -3,6 +3,8 @@ package dev.lazyz;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import dev.lazyz.spi.BatchShader;
+import dev.lazyz.spi.FragmentBatch;
 import org.junit.jupiter.api.Test;
 
 /** A {@link BatchShader} can be tested without a renderer. */

@@ -3,12 +3,15 @@ package dev.lazyz;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.lazyz.geometry.Box;
+import dev.lazyz.spi.Fragment;
+import dev.lazyz.spi.Shader;
+import dev.lazyz.spi.Spans;
 import dev.lazyz.strategies.Renderers;
 import dev.lazyz.world.Camera;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.material.Material;
-import dev.lazyz.world.surface.Ray;
 import dev.lazyz.world.surface.SetUp;
+import dev.lazyz.world.surface.SetUp.Ray;
 import dev.lazyz.world.surface.Sphere;
 import dev.lazyz.world.surface.Surface;
 import java.io.IOException;
@@ -114,7 +117,7 @@ class JavaOwnKindsTest {
                 List<Primitive> primitives = frame.getPrimitives();
                 for (int index = 0; index < primitives.size(); index++) {
                     Primitive one = primitives.get(index);
-                    Spans spans = new Spans(region);
+                    Spans spans = region.spans();
                     one.spans(y, spans);
                     for (int i = 0; i < spans.getCount(); i++) {
                         for (int x = spans.start(i); x < spans.end(i); x++) {

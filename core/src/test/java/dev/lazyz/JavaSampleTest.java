@@ -6,13 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.lazyz.strategies.lazy.LazyZBuffer;
-import dev.lazyz.strategies.zbuffer.ZBuffer;
+import dev.lazyz.StreamingRenderer.Rendering;
+import dev.lazyz.setup.FrameBuilder;
+import dev.lazyz.strategies.lazy.LazyRenderer;
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer;
 import dev.lazyz.world.Camera;
-import dev.lazyz.world.FrameBuilder;
 import dev.lazyz.world.Scene;
-import dev.lazyz.world.material.AlphaMode;
 import dev.lazyz.world.material.Material;
+import dev.lazyz.world.material.Material.AlphaMode;
 import dev.lazyz.world.surface.Mesh;
 import java.io.IOException;
 import java.util.List;
@@ -55,9 +56,9 @@ class JavaSampleTest {
                 .polygon(Rgba.BLACK, new double[9])
                 .build();
         int sum = 0;
-        try (RenderedRows rows = RenderedRows.of(new ZBuffer(), frame)) {
+        try (RenderedRows rows = RenderedRows.of(new ZBufferRenderer(), frame)) {
             while (rows.hasNext()) {
-                RenderedRow row = rows.next();
+                RenderedRows.Row row = rows.next();
                 sum += row.getY() * row.getArgb().length;
             }
             assertEquals(0, rows.getCounters().getFragments());
@@ -76,12 +77,12 @@ class JavaSampleTest {
         };
         int caught = 0;
         try {
-            new LazyZBuffer().rows(frame).iterator().next().sendTo(broken);
+            new LazyRenderer().rows(frame).iterator().next().sendTo(broken);
         } catch (IOException e) {
             caught++;
         }
         try {
-            new ZBuffer().render(frame, broken);
+            new ZBufferRenderer().render(frame, broken);
         } catch (IOException e) {
             caught++;
         }
@@ -95,8 +96,8 @@ class JavaSampleTest {
                 .build()
                 .getPrimitives()
                 .get(0);
-        StreamingRenderer renderer = new ZBuffer();
-        Drawing drawing = renderer.begin(new Raster(5, 3));
+        StreamingRenderer renderer = new ZBufferRenderer();
+        Rendering drawing = renderer.begin(new Raster(5, 3));
         drawing.add(square);
         drawing.add(square);
         int[] visible = {0};

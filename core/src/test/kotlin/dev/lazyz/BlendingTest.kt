@@ -1,6 +1,7 @@
 package dev.lazyz
 
 import dev.lazyz.pipeline.Pane
+import dev.lazyz.spi.Fragment
 import dev.lazyz.strategies.Renderers
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

@@ -1,5 +1,10 @@
 package dev.lazyz
 
+import dev.lazyz.spi.Attributes
+import dev.lazyz.spi.BatchShader
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.FragmentBatch
+import dev.lazyz.spi.Shader
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 

@@ -1,6 +1,8 @@
 package dev.lazyz
 
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.geometry.FillRule
+import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.spi.Shader
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

@@ -1,8 +1,9 @@
 package dev.lazyz
 
-import dev.lazyz.filter.PixelFilter
+import dev.lazyz.Image.PixelHash
 import dev.lazyz.filter.SuperSampling
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.filter.SuperSampling.PixelFilter
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Sphere
 import java.nio.ByteBuffer
@@ -96,9 +97,9 @@ class ImageTest {
         val raster = Raster(24, 18)
         val scene = scene { add(Sphere(Vector3d(), 1.0)) }
         val picture = SuperSampling(2, PixelFilter.MITCHELL).frame(scene, raster)
-        val whole = picture.render(ZBuffer())
+        val whole = picture.render(ZBufferRenderer())
         val parts = listOf(0 to 7, 7 to 11, 11 to 24)
-            .map { (from, until) -> picture.within(Region(from, 0, until, 18)).render(ZBuffer()) }
+            .map { (from, until) -> picture.within(Region(from, 0, until, 18)).render(ZBufferRenderer()) }
         val (a, b, c) = parts
         assertEquals(whole, Image.merge(Image.merge(a, b, raster), c, raster))
         assertEquals(whole, Image.merge(Image.merge(c, a, raster), b, raster))

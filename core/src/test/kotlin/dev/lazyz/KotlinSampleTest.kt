@@ -1,6 +1,6 @@
 package dev.lazyz
 
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Sphere
@@ -16,7 +16,7 @@ class KotlinSampleTest {
             add(Sphere(Vector3d(0.0, 0.0, 0.0), 1.0, Material(Rgba.ofRgb(0xD0452F))))
             add(Sphere(Vector3d(1.2, 0.6, 0.4), 0.5, Material(Rgba.ofRgb(0x2F7FD0))))
         }
-        val image = ZBuffer().render(world.frame(640, 480))
+        val image = ZBufferRenderer().render(world.frame(640, 480))
         println("${image.visible} samples covered, ${image.counters.shadingCalls} shading calls, ${image.pixelHash()}")
         assertEquals(PINNED, image.pixelHash())
     }

@@ -5,15 +5,17 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.lighting.GroundShadow
 import dev.lazyz.sections.Section
 import dev.lazyz.sections.SectionPlane
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneCurve
-import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
@@ -59,7 +61,7 @@ class OwnPrimitiveTest {
 
     @Test
     fun rule_2_8_aDiskIsRendered() {
-        val image = ZBuffer().render(Frame(raster, listOf(disk)))
+        val image = ZBufferRenderer().render(Frame(raster, listOf(disk)))
         val expected = SampleSet.where(16, 16) { x, y -> (x - 8) * (x - 8) + (y - 8) * (y - 8) <= 25 }
         assertEquals(expected, disk.samples(raster))
         assertEquals(expected, disk.samplesByCursor(raster, 0))
@@ -95,13 +97,13 @@ class OwnPrimitiveTest {
     fun aSurfaceOfOnesOwnIsASurface() {
         val red = Material(shading = Shading.CONSTANT, baseColor = Rgba(1f, 0f, 0f))
         val scene = scene { add(Dumbbell(red)) }.withViewpoint(Camera.fit(0.0, 0.0))
-        val image = ZBuffer().render(scene.frame(64, 32))
+        val image = ZBufferRenderer().render(scene.frame(64, 32))
         assertEquals(3, image.counters.primitives)
         assertEquals(setOf(-1, 0, 2), image.primitive.toSet())
         assertEquals(0, image.primitive(20, 16))
         assertEquals(2, image.primitive(44, 16))
         val blue = scene.withMaterials { it.withShader { f -> f.setColor(0f, 0f, 1f) } }
-        assertEquals(0xFF0000FF.toInt(), ZBuffer().render(blue.frame(64, 32)).argb(20, 16))
+        assertEquals(0xFF0000FF.toInt(), ZBufferRenderer().render(blue.frame(64, 32)).argb(20, 16))
         assertEquals(0xFFFF0000.toInt(), image.argb(20, 16))
     }
 
@@ -137,13 +139,13 @@ class OwnPrimitiveTest {
     fun aSurfaceOfOnesOwnAnswersForItself() {
         // Its material decides about exposure, sections and shadows
         val metal = Scene(listOf(Flag(Material().asMetallicRoughness().withSides(Sides.FRONT))))
-        assertEquals(ToneCurve.NEUTRAL, metal.effectiveToneMapping.curve)
+        assertEquals(ToneMapping.Curve.NEUTRAL, metal.effectiveToneMapping.curve)
         val cut = Section(listOf(SectionPlane.x(0.0))).of(metal).scene.surfaces.single()
         assertEquals(Sides.BOTH, cut.material?.sides)
         val glass = Material(Rgba(1f, 1f, 1f, 0.5f), alphaMode = AlphaMode.BLEND)
         val above = Camera.orthographic(Vector3d(0.0, 5.0, 0.0), Vector3d(), Vector3d(0.0, 0.0, -1.0), 6.0, 0.1, 10.0)
         fun seen(surfaces: List<Surface>) =
-            Tiled().render(Scene(surfaces, viewpoint = above).frame(16, 16)).pixelHash()
+            TiledRenderer().render(Scene(surfaces, viewpoint = above).frame(16, 16)).pixelHash()
         fun shadow(of: Flag) = seen(listOf(GroundShadow.of(Scene(listOf(of)))))
         assertNotEquals(seen(emptyList()), shadow(Flag(Material())))
         for (light in listOf(Flag(glass), Flag(Material(), pixelSize = 2.0))) {

@@ -2,8 +2,8 @@ package dev.lazyz
 
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Sphere
 import java.io.IOException
@@ -48,8 +48,8 @@ class RenderedRowsTest {
     @Test
     fun pixelsOfSeveralSamples() {
         val sampled = SuperSampling(2).frame(world, Raster(40, 30)).within(Region(3, 4, 20, 30))
-        val image = sampled.render(ZBuffer())
-        val rows = sampled.rows(ZBuffer()).use { rows -> rows.asSequence().toList() }
+        val image = sampled.render(ZBufferRenderer())
+        val rows = sampled.rows(ZBufferRenderer()).use { rows -> rows.asSequence().toList() }
         assertEquals((4 until 30).toList(), rows.map { it.y })
         assertArrayEquals(image.argb, rows.flatMap { it.argb.asList() }.toIntArray())
     }
@@ -79,7 +79,7 @@ class RenderedRowsTest {
             assertThrows<IllegalStateException> { rows.next() }
             rows.close()
         }
-        val large = RenderedRows.of(Tiled(), world.frame(2000, 100_000))
+        val large = RenderedRows.of(TiledRenderer(), world.frame(2000, 100_000))
         large.next()
         large.close()
     }
@@ -163,7 +163,7 @@ class RenderedRowsTest {
         override fun render(frame: Frame, sink: RowSink): Counters {
             isRunning = true
             try {
-                return ZBuffer().render(frame) { y, argb, depth, primitive ->
+                return ZBufferRenderer().render(frame) { y, argb, depth, primitive ->
                     sink.row(y, argb, depth, primitive)
                     passed.incrementAndGet()
                 }

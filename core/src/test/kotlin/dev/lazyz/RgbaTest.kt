@@ -1,8 +1,7 @@
 package dev.lazyz
 
 import dev.lazyz.world.Environment
-import dev.lazyz.world.Falloff
-import dev.lazyz.world.ToneCurve
+import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.NormalMap
@@ -61,7 +60,7 @@ class RgbaTest {
             { Rgba(it, 0f, 0f) }, { Rgba(0f, it, 0f) }, { Rgba(0f, 0f, it) }, { Rgba(0f, 0f, 0f, it) },
             { NormalMap(map, it) }, { Falloff.inverseSquare(it.toDouble()) }, { MetallicRoughness(it, 0.5f) },
             { MetallicRoughness(0.5f, it) }, { OcclusionMap(map, it) }, { Environment.studio(it) },
-            { ToneMapping(ToneCurve.NONE, it.toDouble()) },
+            { ToneMapping(ToneMapping.Curve.NONE, it.toDouble()) },
         )
         for (make in kinds) {
             // Some kinds refuse some numbers

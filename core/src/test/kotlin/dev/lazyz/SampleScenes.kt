@@ -1,21 +1,21 @@
 package dev.lazyz
 
+import dev.lazyz.geometry.FillRule
+import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.world.Camera
-import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.MipFilter
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import org.joml.Vector3d
 
@@ -26,7 +26,7 @@ object SampleScenes {
     )
 
     val checks: Texture = Texture(
-        2, 2, intArrayOf(-0x1, 0x40ff0000, 0x4000ff00, -0xffff01), TextureFilter.NEAREST,
+        2, 2, intArrayOf(-0x1, 0x40ff0000, 0x4000ff00, -0xffff01), Texture.Filter.NEAREST,
     )
 
     /** A mesh of random triangles with all attributes; some extend behind the camera or beyond the far plane. */

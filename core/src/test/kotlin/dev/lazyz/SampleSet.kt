@@ -1,5 +1,6 @@
 package dev.lazyz
 
+import dev.lazyz.spi.Spans
 import org.junit.jupiter.api.Assertions.assertTrue
 
 /** A set of samples of a raster. */

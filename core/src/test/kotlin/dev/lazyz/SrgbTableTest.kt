@@ -1,5 +1,6 @@
 package dev.lazyz
 
+import dev.lazyz.spi.Srgb
 import java.math.BigDecimal
 import java.math.BigInteger
 import org.junit.jupiter.api.Assertions.assertEquals

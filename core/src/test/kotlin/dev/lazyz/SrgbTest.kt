@@ -1,5 +1,6 @@
 package dev.lazyz
 
+import dev.lazyz.spi.Fragment
 import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test

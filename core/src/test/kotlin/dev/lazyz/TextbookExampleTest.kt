@@ -1,7 +1,7 @@
 package dev.lazyz
 
-import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import kotlin.io.path.readText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -35,7 +35,7 @@ class TextbookExampleTest {
     private fun image(vararg contours: DoubleArray): Image {
         val builder = FrameBuilder(raster)
         for (contour in contours) builder.polygon(Rgba.BLACK, contour)
-        return ZBuffer().render(builder.build())
+        return ZBufferRenderer().render(builder.build())
     }
 
     private fun depths(image: Image): String = rows { x, y ->

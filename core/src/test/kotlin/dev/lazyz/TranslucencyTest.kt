@@ -1,14 +1,15 @@
 package dev.lazyz
 
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.pipeline.Pane
+import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.hybrid.Hybrid
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.strategies.hybrid.HybridRenderer
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Mesh
@@ -47,11 +48,11 @@ class TranslucencyTest {
     @Test
     fun rule_5_6_primitivesOfAStreamAreRefusedAsTheyArrive() {
         val error = assertThrows<IllegalArgumentException> {
-            runBlocking { ZBuffer().render(raster, flowOf(wall, glass), noRows) }
+            runBlocking { ZBufferRenderer().render(raster, flowOf(wall, glass), noRows) }
         }
         assertTrue(error.message!!.startsWith("primitive 1 is translucent"), error.message)
         assertThrows<IllegalArgumentException> {
-            runBlocking { Hybrid().render(raster, flowOf(wall, glass), noRows) }
+            runBlocking { HybridRenderer().render(raster, flowOf(wall, glass), noRows) }
         }
         assertEquals(0, glass.shadingCalls)
     }
@@ -71,9 +72,9 @@ class TranslucencyTest {
     @Test
     fun steppedShadingOfAnOpaquePrimitiveIsOpaqueToo() {
         val frame = scene(material(0.5f), null).frame(24, 24).asOpaque()
-        val direct = ZBuffer().render(frame)
+        val direct = ZBufferRenderer().render(frame)
         assertTrue(direct.argb.all { it ushr 24 == 0xFF })
-        assertEquals(direct, Hybrid(RenderOptions(Coherence.INCREMENTAL)).render(frame))
+        assertEquals(direct, HybridRenderer(RenderOptions(Coherence.INCREMENTAL)).render(frame))
     }
 
     @Test
@@ -102,7 +103,7 @@ class TranslucencyTest {
         assertFalse(FrameBuilder(raster).polygon(Rgba.BLACK, triangle).build().hasTranslucency)
         val frame = FrameBuilder(raster).polygon(Rgba.BLACK.withAlpha(0.25f), triangle).build()
         assertTrue(frame.hasTranslucency)
-        assertEquals(Rgba(0.75f, 0.75f, 0.75f).toArgb(), Lists().render(frame).argb(0, 0))
+        assertEquals(Rgba(0.75f, 0.75f, 0.75f).toArgb(), ListsRenderer().render(frame).argb(0, 0))
     }
 
     private fun material(alpha: Float) = Material(Rgba(0.9f, 0.6f, 0.3f, alpha), alphaMode = AlphaMode.BLEND)

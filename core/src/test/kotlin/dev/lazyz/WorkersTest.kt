@@ -1,7 +1,7 @@
 package dev.lazyz
 
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Mesh
@@ -229,15 +229,15 @@ class WorkersTest {
         }
         val scene = Scene(listOf(Mesh(positions, triangles, Material())))
         val raster = Raster(96, 96)
-        val expected = ZBuffer().render(scene.frame(raster))
+        val expected = ZBufferRenderer().render(scene.frame(raster))
         for ((name, executor) in executors) {
             val options = RenderOptions(threads = 3, tileSize = 16, executor = executor)
-            assertEquals(expected, Tiled(options).render(scene.frame(raster, options)), name)
+            assertEquals(expected, TiledRenderer(options).render(scene.frame(raster, options)), name)
         }
 
         // With one thread, the executor gets no task
         val none = Executor { throw AssertionError("no other thread is permitted") }
         val alone = RenderOptions(threads = 1, executor = none)
-        assertEquals(expected, Tiled(alone).render(scene.frame(raster, alone)))
+        assertEquals(expected, TiledRenderer(alone).render(scene.frame(raster, alone)))
     }
 }

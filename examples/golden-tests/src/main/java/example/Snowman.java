@@ -1,8 +1,8 @@
 package example;
 
 import dev.lazyz.Rgba;
-import dev.lazyz.world.material.Material;
 import dev.lazyz.world.Scene;
+import dev.lazyz.world.material.Material;
 import dev.lazyz.world.surface.Sphere;
 import org.joml.Vector3d;
 

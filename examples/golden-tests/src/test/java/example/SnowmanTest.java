@@ -3,7 +3,7 @@ package example;
 import static dev.lazyz.testing.GoldenAssertions.assertThat;
 
 import dev.lazyz.filter.SuperSampling;
-import dev.lazyz.strategies.scanline.ScanLine;
+import dev.lazyz.strategies.scanline.ScanlineRenderer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -27,7 +27,7 @@ class SnowmanTest {
     /** An image that was rendered elsewhere, here with another strategy: the bits are the same. */
     @Test
     void image() throws InterruptedException {
-        var image = new ScanLine().render(Snowman.withButtons(2).frame(90, 120));
+        var image = new ScanlineRenderer().render(Snowman.withButtons(2).frame(90, 120));
         assertThat(image).matches("golden/snowman-2.png");
     }
 }

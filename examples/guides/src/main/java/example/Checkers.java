@@ -1,7 +1,7 @@
 package example;
 
-import dev.lazyz.Fragment;
-import dev.lazyz.Shader;
+import dev.lazyz.spi.Fragment;
+import dev.lazyz.spi.Shader;
 
 /** Squares of two colours in texture space, lit from one side of the world: from -x and +z. */
 public class Checkers implements Shader {

@@ -1,9 +1,9 @@
 package example;
 
-import dev.lazyz.Fragment;
 import dev.lazyz.Primitive;
 import dev.lazyz.Raster;
-import dev.lazyz.Spans;
+import dev.lazyz.spi.Fragment;
+import dev.lazyz.spi.Spans;
 
 /** A disc on the screen, at one depth: a primitive that Lazy Z does not have. */
 public class Disc implements Primitive {

@@ -3,7 +3,7 @@ package example;
 import dev.lazyz.Primitive;
 import dev.lazyz.Raster;
 import dev.lazyz.geometry.Box;
-import dev.lazyz.world.surface.ScreenPoint;
+import dev.lazyz.world.surface.SetUp.ScreenPoint;
 import dev.lazyz.world.surface.SetUp;
 import dev.lazyz.world.surface.Surface;
 import java.util.ArrayList;

@@ -3,15 +3,15 @@ package example;
 import dev.lazyz.Image;
 import dev.lazyz.Renderer;
 import dev.lazyz.aov.Aov;
+import dev.lazyz.aov.AovFrame.AovImages;
 import dev.lazyz.aov.AovFrame;
 import dev.lazyz.aov.AovImage;
-import dev.lazyz.aov.AovImages;
 import dev.lazyz.scenes.LoadedScene;
 import dev.lazyz.scenes.pictures.PictureFrame;
 import dev.lazyz.scenes.pictures.PictureParameters;
 import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.scenes.writers.BufferedImages;
-import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.strategies.tiled.TiledRenderer;
 import java.awt.Graphics;
 import java.awt.Point;
 import java.awt.event.ComponentAdapter;
@@ -30,7 +30,7 @@ public final class ModelPanel extends JPanel {
     private record View(BufferedImage picture, AovImage parts) {}
 
     private final transient LoadedScene model;
-    private final transient Renderer renderer = new Tiled();
+    private final transient Renderer renderer = new TiledRenderer();
     private transient SwingWorker<View, Void> work;
     private transient View view;
     private double azimuth = 30;

@@ -2,17 +2,16 @@ package example;
 
 import dev.lazyz.Counters;
 import dev.lazyz.DepthTest;
-import dev.lazyz.Drawing;
 import dev.lazyz.Frame;
 import dev.lazyz.Primitive;
 import dev.lazyz.Raster;
-import dev.lazyz.RenderedRow;
 import dev.lazyz.RenderedRows;
 import dev.lazyz.Renderer;
 import dev.lazyz.RowSink;
+import dev.lazyz.StreamingRenderer.Rendering;
 import dev.lazyz.StreamingRenderer;
 import dev.lazyz.scenes.writers.PngSink;
-import dev.lazyz.strategies.hybrid.Hybrid;
+import dev.lazyz.strategies.hybrid.HybridRenderer;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -23,7 +22,7 @@ public class OneByOne {
     public static int firstVisibleRow(Renderer renderer, Frame frame) {
         try (RenderedRows rows = RenderedRows.of(renderer, frame)) {
             while (rows.hasNext()) {
-                RenderedRow row = rows.next();
+                RenderedRows.Row row = rows.next();
                 for (int primitive : row.getPrimitive()) {
                     if (primitive != DepthTest.BACKGROUND) return row.getY();
                 }
@@ -43,12 +42,12 @@ public class OneByOne {
     /** Draws a disc for each line of a text: column, row, radius and depth. */
     public static Counters draw(BufferedReader lines, Raster raster, RowSink sink)
             throws InterruptedException, IOException {
-        StreamingRenderer renderer = new Hybrid();
-        Drawing drawing = renderer.begin(raster);
+        StreamingRenderer renderer = new HybridRenderer();
+        Rendering rendering = renderer.begin(raster);
         for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-            drawing.add(disc(raster, line.split(" ")));
+            rendering.add(disc(raster, line.split(" ")));
         }
-        return drawing.finish(sink);
+        return rendering.finish(sink);
     }
 
     private static Primitive disc(Raster raster, String[] words) {

@@ -2,7 +2,6 @@ package example;
 
 import dev.lazyz.Image;
 import dev.lazyz.Renderer;
-import dev.lazyz.planning.MemoryItem;
 import dev.lazyz.planning.RenderPlan;
 import dev.lazyz.planning.RenderPlanner;
 import dev.lazyz.scenes.LoadLimits;
@@ -13,7 +12,7 @@ import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.pictures.PictureFrame;
 import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.scenes.writers.Images;
-import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.strategies.tiled.TiledRenderer;
 import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServlet;
 import jakarta.servlet.http.HttpServletRequest;
@@ -53,7 +52,7 @@ public class PictureServlet extends HttpServlet {
     private static final long DRAWING_BYTES = 128L << 20;
 
     /** Thread safe, like all renderers: one is enough for all requests. */
-    private final Renderer renderer = new Tiled();
+    private final Renderer renderer = new TiledRenderer();
 
     /** The number of threads limits how many models are in memory. */
     private final ExecutorService workers = Executors.newFixedThreadPool(2);
@@ -117,7 +116,7 @@ public class PictureServlet extends HttpServlet {
         requireMemory(setUp <= DRAWING_BYTES);
         PictureFrame frame = SETTINGS.frame(loaded);
         RenderPlan plan = frame.plan(
-                new RenderPlanner(DRAWING_BYTES), List.of(renderer), List.of(new MemoryItem("set-up", setUp)));
+                new RenderPlanner(DRAWING_BYTES), List.of(renderer), List.of(new RenderPlan.Item("set-up", setUp)));
         requireMemory(plan.getFits());
         return frame.render(plan.getRenderer());
     }

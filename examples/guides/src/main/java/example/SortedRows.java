@@ -4,13 +4,12 @@ import dev.lazyz.Blending;
 import dev.lazyz.Capability;
 import dev.lazyz.Counters;
 import dev.lazyz.DepthTest;
-import dev.lazyz.Fragment;
 import dev.lazyz.Frame;
 import dev.lazyz.Primitive;
 import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
 import dev.lazyz.RowSink;
-import dev.lazyz.Spans;
+import dev.lazyz.spi.Fragment;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -98,7 +97,7 @@ public record SortedRows(RenderOptions options) implements Renderer {
         void collect(Primitive primitive, int index) {
             var raster = frame.getRaster();
             long background = raster.getDepthTest().key(raster.getBackgroundDepth(), DepthTest.BACKGROUND);
-            var spans = new Spans(frame.getRegion());
+            var spans = frame.getRegion().spans();
             primitive.spans(y, spans);
             for (int i = 0; i < spans.getCount(); i++) {
                 for (int x = spans.start(i); x < spans.end(i); x++) {

@@ -24,7 +24,7 @@ import dev.lazyz.scenes.pictures.PictureStyle;
 import dev.lazyz.scenes.pictures.Turntable;
 import dev.lazyz.scenes.writers.BufferedImages;
 import dev.lazyz.scenes.writers.Images;
-import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.strategies.tiled.TiledRenderer;
 import dev.lazyz.world.Scene;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -46,7 +46,7 @@ public final class TenMinutes {
     static Image firstPicture(Path file, Path picture) throws IOException, InterruptedException {
         LoadedScene model = Scenes.load(file);
         model.getWarnings().forEach(System.err::println);
-        Image image = new PictureSettings(640, 480).frame(model).render(new Tiled());
+        Image image = new PictureSettings(640, 480).frame(model).render(new TiledRenderer());
         Images.writePng(image, picture);
         return image;
     }
@@ -70,12 +70,12 @@ public final class TenMinutes {
 
     static BufferedImage thumbnail(Path file) throws IOException, InterruptedException {
         PictureSettings small = new PictureSettings(128, 128).with(BACKGROUND, new Backdrop(Rgba.TRANSPARENT));
-        return BufferedImages.toBufferedImage(small.frame(Scenes.load(file)).render(new Tiled()));
+        return BufferedImages.toBufferedImage(small.frame(Scenes.load(file)).render(new TiledRenderer()));
     }
 
     static String pick(LoadedScene model, int x, int y) throws InterruptedException {
         PictureFrame frame = new PictureSettings(640, 480).frame(model);
-        AovImage parts = new AovFrame(frame.getSamples(), EnumSet.of(Aov.OBJECT)).render(new Tiled()).get(Aov.OBJECT);
+        AovImage parts = new AovFrame(frame.getSamples(), EnumSet.of(Aov.OBJECT)).render(new TiledRenderer()).get(Aov.OBJECT);
         return parts.name(x, y);
     }
 
@@ -84,7 +84,7 @@ public final class TenMinutes {
 
         // Many pictures at the same time, each by one thread, are faster than one after the other by all threads
         RenderOptions one = new RenderOptions().withThreads(1);
-        Renderer renderer = new Tiled(one);
+        Renderer renderer = new TiledRenderer(one);
         List<Callable<BufferedImage>> tasks = new ArrayList<>();
         for (int i = 0; i < steps; i++) {
             int step = i;

@@ -9,8 +9,8 @@ import dev.lazyz.Image;
 import dev.lazyz.Raster;
 import dev.lazyz.Renderer;
 import dev.lazyz.strategies.Renderers;
-import dev.lazyz.strategies.tiled.Tiled;
-import dev.lazyz.strategies.zbuffer.ZBuffer;
+import dev.lazyz.strategies.tiled.TiledRenderer;
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer;
 import java.awt.image.BufferedImage;
 import java.io.BufferedReader;
 import java.io.ByteArrayInputStream;
@@ -39,14 +39,14 @@ class OneByOneTest {
     @Test
     void aFileIsWrittenWhileItsPictureIsRendered() throws IOException, InterruptedException {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
-        OneByOne.writePng(new Tiled(), frame, file);
+        OneByOne.writePng(new TiledRenderer(), frame, file);
         BufferedImage read = ImageIO.read(new ByteArrayInputStream(file.toByteArray()));
-        assertArrayEquals(new Tiled().render(frame).getArgb(), read.getRGB(0, 0, 64, 48, null, 0, 64));
+        assertArrayEquals(new TiledRenderer().render(frame).getArgb(), read.getRGB(0, 0, 64, 48, null, 0, 64));
     }
 
     @Test
     void discsArriveOneByOne() throws IOException, InterruptedException {
-        Image expected = new ZBuffer().render(frame);
+        Image expected = new ZBufferRenderer().render(frame);
         Image.Collector rows = new Image.Collector(raster.getRegion());
         BufferedReader lines = new BufferedReader(new StringReader("20 20 15 1000\n30 28 10 500\n"));
         Counters counters = OneByOne.draw(lines, raster, rows);

@@ -11,10 +11,10 @@ import dev.lazyz.Renderer;
 import dev.lazyz.filter.SampledFrame;
 import dev.lazyz.filter.SuperSampling;
 import dev.lazyz.strategies.Renderers;
-import dev.lazyz.strategies.zbuffer.ZBuffer;
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer;
 import dev.lazyz.world.Camera;
-import dev.lazyz.world.material.Material;
 import dev.lazyz.world.Scene;
+import dev.lazyz.world.material.Material;
 import dev.lazyz.world.surface.Sphere;
 import java.util.Arrays;
 import java.util.List;
@@ -57,7 +57,7 @@ class OwnKindsTest {
 
         // With 16 samples a pixel, about the same pixels are covered
         SampledFrame sampled = new SuperSampling(4).frame(scene, raster);
-        long fine = sampled.render(new ZBuffer()).getVisible();
+        long fine = sampled.render(new ZBufferRenderer()).getVisible();
         assertTrue(fine >= one && fine <= one * 1.3, fine + " pixels, and " + one + " with one sample");
     }
 

@@ -12,7 +12,7 @@ import dev.lazyz.scenes.LoadedScene;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.pictures.Picture;
 import dev.lazyz.scenes.pictures.PictureSettings;
-import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.strategies.tiled.TiledRenderer;
 import java.awt.event.ComponentEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
@@ -69,7 +69,7 @@ class TenMinutesTest {
     void lightsAndStylesGiveDifferentPictures() throws InterruptedException {
         Set<String> hashes = new HashSet<>();
         for (PictureSettings settings : TenMinutes.lights()) {
-            hashes.add(settings.frame(model).render(new Tiled()).pixelHash());
+            hashes.add(settings.frame(model).render(new TiledRenderer()).pixelHash());
         }
         assertEquals(4, hashes.size());
     }

@@ -1,9 +1,9 @@
 package example
 
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Spans
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 import kotlin.math.abs
 import kotlin.math.max
 import kotlin.math.min

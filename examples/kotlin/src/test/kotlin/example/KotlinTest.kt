@@ -9,9 +9,9 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.writers.toPng
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.flow.FlowPipeline
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.flow.FlowRenderer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Mesh
 import java.io.ByteArrayInputStream
@@ -39,7 +39,7 @@ class KotlinTest {
 
     @Test
     fun aCubeBecomesAPngFile() {
-        val image: Image = Tiled().render(cube.frame(64, 48))
+        val image: Image = TiledRenderer().render(cube.frame(64, 48))
         val read = ImageIO.read(ByteArrayInputStream(image.toPng()))
         assertTrue(image.visible > 500) { "$image" }
         for (y in 0 until 48) for (x in 0 until 64) assertEquals(image.argb[y * 64 + x], read.getRGB(x, y))
@@ -48,8 +48,8 @@ class KotlinTest {
     @Test
     fun rowsOfACubeAreAFlow() {
         val frame = cube.frame(64, 48)
-        val rows = runBlocking { FlowPipeline().rows(frame).map { it.argb() }.toList() }
-        val expected = ZBuffer().render(frame).argb
+        val rows = runBlocking { FlowRenderer().rows(frame).map { it.argb() }.toList() }
+        val expected = ZBufferRenderer().render(frame).argb
         assertArrayEquals(expected, rows.flatMap { it.take(64) }.toIntArray())
     }
 
@@ -58,10 +58,10 @@ class KotlinTest {
         val raster = Raster(64, 48)
         val discs = listOf(Disc(raster, 20, 20, 15, depth = 1000), Disc(raster, 30, 28, 10, depth = 500))
         val frame = Frame(raster, discs)
-        val expected = ZBuffer().render(frame)
+        val expected = ZBufferRenderer().render(frame)
         for (renderer in Renderers.builtIn) assertSamePicture(expected, renderer.render(frame), renderer.id)
         val streamed = Image.Collector(frame.region)
-        val counters = runBlocking { ZBuffer().render(raster, discs.asFlow(), streamed) }
+        val counters = runBlocking { ZBufferRenderer().render(raster, discs.asFlow(), streamed) }
         assertSamePicture(expected, streamed.toImage(counters))
     }
 
@@ -74,7 +74,7 @@ class KotlinTest {
             }
         """
         val loaded = Scenes.load(text.byteInputStream(), SceneFormat.SCENE)
-        val image = ZBuffer().render(loaded.scene.frame(32, 32))
+        val image = ZBufferRenderer().render(loaded.scene.frame(32, 32))
         assertTrue(image.visible > 100) { "$image" }
     }
 }

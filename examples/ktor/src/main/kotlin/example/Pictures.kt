@@ -1,6 +1,6 @@
 package example
 
-import dev.lazyz.planning.MemoryItem
+import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
@@ -9,7 +9,7 @@ import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.writers.toPng
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import io.ktor.http.ContentType
 import io.ktor.http.HttpStatusCode
 import io.ktor.server.application.Application
@@ -51,7 +51,7 @@ private const val DRAWING_BYTES = 64L shl 20
 private val mostTime = 10.seconds
 
 /** Thread safe, like all renderers: one is enough for all requests. */
-private val renderer = Tiled()
+private val renderer = TiledRenderer()
 
 /** Adds `POST /picture?format=obj`: a model in the body, a PNG file in the answer. */
 fun Application.pictures(places: Semaphore = Semaphore(2 * Runtime.getRuntime().availableProcessors())) {
@@ -98,7 +98,7 @@ private fun png(body: ByteArray, format: SceneFormat): ByteArray {
     val setUp = loaded.scene.setUpBytes
     requireMemory(setUp <= DRAWING_BYTES)
     val frame = settings.frame(loaded)
-    val plan = RenderPlanner(DRAWING_BYTES).plan(frame, listOf(renderer), listOf(MemoryItem("set-up", setUp)))
+    val plan = RenderPlanner(DRAWING_BYTES).plan(frame, listOf(renderer), listOf(RenderPlan.Item("set-up", setUp)))
     requireMemory(plan.fits)
     return frame.render(plan.renderer).toPng()
 }

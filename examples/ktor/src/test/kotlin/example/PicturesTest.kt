@@ -3,7 +3,7 @@ package example
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.pictures.PictureSettings
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import io.ktor.client.request.post
 import io.ktor.client.request.setBody
 import io.ktor.client.statement.bodyAsBytes
@@ -28,7 +28,7 @@ class PicturesTest {
         val answer = client.post("/picture?format=obj") { setBody(model) }
         assertEquals(200, answer.status.value)
         val picture = ImageIO.read(answer.bodyAsBytes().inputStream())
-        val local = PictureSettings(512, 512).frame(Scenes.load(model, SceneFormat.OBJ)).render(ZBuffer())
+        val local = PictureSettings(512, 512).frame(Scenes.load(model, SceneFormat.OBJ)).render(ZBufferRenderer())
         assertArrayEquals(local.argb, picture.getRGB(0, 0, 512, 512, null, 0, 512))
     }
 

@@ -6,7 +6,7 @@ import dev.lazyz.scenes.SceneFormat;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.scenes.writers.Images;
-import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.strategies.tiled.TiledRenderer;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -24,7 +24,7 @@ public class Handler {
             .withTime(Duration.ofSeconds(10)));
 
     /** What is created here is created before the first request, and kept for the next ones. */
-    private final Tiled renderer = new Tiled();
+    private final TiledRenderer renderer = new TiledRenderer();
 
     /** Renders a model. An exception for a damaged one names the place and what is wrong. */
     public void handle(InputStream input, OutputStream output) throws IOException, InterruptedException {

@@ -5,7 +5,7 @@ import dev.lazyz.scenes.SceneFormat;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.writers.Images;
 import dev.lazyz.strategies.Renderers;
-import dev.lazyz.strategies.flow.FlowPipeline;
+import dev.lazyz.strategies.flow.FlowRenderer;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.surface.Sphere;
 import java.io.ByteArrayInputStream;
@@ -19,7 +19,7 @@ class Pictures {
 
     static byte[] sphere() throws InterruptedException {
         Scene scene = Scene.builder().add(new Sphere(new Vector3d(), 1)).build();
-        return Images.toPng(new FlowPipeline().render(scene.frame(64, 48)));
+        return Images.toPng(new FlowRenderer().render(scene.frame(64, 48)));
     }
 
     /** Returns the picture of a model that is text, such as OBJ, glTF and scene files. */

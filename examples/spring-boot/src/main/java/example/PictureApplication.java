@@ -1,7 +1,6 @@
 package example;
 
 import dev.lazyz.Renderer;
-import dev.lazyz.planning.MemoryItem;
 import dev.lazyz.planning.RenderPlan;
 import dev.lazyz.planning.RenderPlanner;
 import dev.lazyz.scenes.LoadLimits;
@@ -13,7 +12,7 @@ import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.pictures.PictureFrame;
 import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.scenes.writers.Images;
-import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.strategies.tiled.TiledRenderer;
 import jakarta.annotation.PreDestroy;
 import java.io.IOException;
 import java.io.InputStream;
@@ -62,7 +61,7 @@ public class PictureApplication {
     private static final int MOST_SECONDS = 10;
 
     /** Thread safe, like all renderers: one is enough for all requests. */
-    private final Renderer renderer = new Tiled();
+    private final Renderer renderer = new TiledRenderer();
 
     /** A server has many more threads than a rendering should compete with. */
     final Semaphore places = new Semaphore(2 * Runtime.getRuntime().availableProcessors());
@@ -118,7 +117,7 @@ public class PictureApplication {
         requireMemory(setUp <= DRAWING_BYTES);
         PictureFrame frame = SETTINGS.frame(loaded);
         RenderPlan plan = frame.plan(
-                new RenderPlanner(DRAWING_BYTES), List.of(renderer), List.of(new MemoryItem("set-up", setUp)));
+                new RenderPlanner(DRAWING_BYTES), List.of(renderer), List.of(new RenderPlan.Item("set-up", setUp)));
         requireMemory(plan.getFits());
         return Images.toPng(frame.render(plan.getRenderer()));
     }

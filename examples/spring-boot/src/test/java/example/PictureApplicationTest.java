@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.lazyz.scenes.SceneFormat;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.pictures.PictureSettings;
-import dev.lazyz.strategies.zbuffer.ZBuffer;
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer;
 import java.io.ByteArrayInputStream;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -54,7 +54,7 @@ class PictureApplicationTest {
         assertEquals(200, answer.statusCode());
         var picture = ImageIO.read(new ByteArrayInputStream(answer.body()));
         var frame = new PictureSettings(512, 512).frame(Scenes.load(MODEL, SceneFormat.OBJ));
-        var local = frame.render(new ZBuffer());
+        var local = frame.render(new ZBufferRenderer());
         assertArrayEquals(local.getArgb(), picture.getRGB(0, 0, 512, 512, null, 0, 512));
     }
 

@@ -3,14 +3,14 @@ package example;
 import dev.lazyz.Capability;
 import dev.lazyz.Counters;
 import dev.lazyz.DepthTest;
-import dev.lazyz.Fragment;
 import dev.lazyz.Frame;
 import dev.lazyz.Primitive;
 import dev.lazyz.Raster;
 import dev.lazyz.Region;
 import dev.lazyz.Renderer;
 import dev.lazyz.RowSink;
-import dev.lazyz.Spans;
+import dev.lazyz.spi.Fragment;
+import dev.lazyz.spi.Spans;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -71,7 +71,7 @@ public final class SpanListRenderer implements Renderer {
     /** The spans of all primitives on row y, within the region, sorted by first column. */
     private static List<Span> spansOf(Frame frame, int y) {
         List<Span> all = new ArrayList<>();
-        Spans spans = new Spans(frame.getRegion());
+        Spans spans = frame.getRegion().spans();
         for (int index = 0; index < frame.getPrimitives().size(); index++) {
             Primitive primitive = frame.getPrimitives().get(index);
             if (!reaches(primitive, frame.getRegion(), y)) {

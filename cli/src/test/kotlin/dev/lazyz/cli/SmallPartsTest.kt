@@ -10,10 +10,10 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.scenes.text.EditDistance
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.hybrid.Hybrid
-import dev.lazyz.strategies.painter.Painter
-import dev.lazyz.strategies.scanline.ScanLine
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.hybrid.HybridRenderer
+import dev.lazyz.strategies.painter.PainterRenderer
+import dev.lazyz.strategies.scanline.ScanlineRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -87,10 +87,12 @@ class SmallPartsTest {
 
     @Test
     fun memoryIsEstimatedBeforeItIsNeeded() {
-        Strategies.requireMemory(ZBuffer(), Region(0, 0, 100, 100), available = 120_000)
+        Strategies.requireMemory(ZBufferRenderer(), Region(0, 0, 100, 100), available = 120_000)
         val larger = Region(0, 0, 100, 101)
         val mistake =
-            assertThrows(Mistake::class.java) { Strategies.requireMemory(ZBuffer(), larger, available = 120_000) }
+            assertThrows(Mistake::class.java) {
+                Strategies.requireMemory(ZBufferRenderer(), larger, available = 120_000)
+            }
         val parts = listOf("100x101", "'zbuffer'", "118.3 KiB", "117.1 KiB", "-Xmx2g")
         assertEquals(parts, parts.filter { it in mistake.message.orEmpty() }, mistake.message)
         Strategies.requireMemory(BuggyRenderer(), Region(0, 0, 262_144, 262_144), available = 1)
@@ -104,11 +106,11 @@ class SmallPartsTest {
             Strategies.requireMemory(strategy, picture, kept, need)
             assertThrows(Mistake::class.java) { Strategies.requireMemory(strategy, picture, kept, need - 1) }
         }
-        assertNeeds(12, ZBuffer())
-        assertNeeds(12, Hybrid())
-        assertNeeds(8, Painter())
+        assertNeeds(12, ZBufferRenderer())
+        assertNeeds(12, HybridRenderer())
+        assertNeeds(8, PainterRenderer())
         assertNeeds(12, WrongColorRenderer())
-        assertNeeds(0, ScanLine(), kept = 12)
+        assertNeeds(0, ScanlineRenderer(), kept = 12)
     }
 
     @Test

@@ -6,8 +6,8 @@ import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.net.URLClassLoader
 import java.nio.file.Path
 import java.util.jar.Attributes
@@ -23,7 +23,12 @@ import kotlin.system.exitProcess
 open class FailingRenderer(override val id: String, private val failure: () -> Throwable) : Renderer {
     override val summary: String get() = "fails half way"
 
-    override fun render(frame: Frame, sink: RowSink): Counters = ZBuffer().render(frame) { y, argb, depth, primitive ->
+    override fun render(frame: Frame, sink: RowSink): Counters = ZBufferRenderer().render(frame) {
+            y,
+            argb,
+            depth,
+            primitive
+        ->
         if (y == frame.height / 2) throw failure()
         sink.row(y, argb, depth, primitive)
     }
@@ -55,7 +60,7 @@ class ExitingRenderer : Renderer {
     override fun render(frame: Frame, sink: RowSink): Counters {
         println("going on")
         if (frame.primitives.size > 2) exitProcess(0)
-        return ZBuffer().render(frame, sink)
+        return ZBufferRenderer().render(frame, sink)
     }
 }
 
@@ -74,7 +79,7 @@ class HaltingRenderer : Renderer {
 
     override fun render(frame: Frame, sink: RowSink): Counters {
         if (frame.primitives.size > 2) Runtime.getRuntime().halt(0)
-        return ZBuffer().render(frame, sink)
+        return ZBufferRenderer().render(frame, sink)
     }
 }
 
@@ -118,7 +123,7 @@ class CapableRenderer(private val options: RenderOptions = RenderOptions()) : Re
 
     override fun render(frame: Frame, sink: RowSink): Counters {
         asked = options
-        return Lists(options.supportedBy(Lists())).render(frame, sink)
+        return ListsRenderer(options.supportedBy(ListsRenderer())).render(frame, sink)
     }
 
     companion object {
@@ -132,7 +137,12 @@ open class WrongRenderer(override val id: String, private val spoil: (IntArray, 
     Renderer {
     override val summary: String get() = "has one wrong pixel"
 
-    override fun render(frame: Frame, sink: RowSink): Counters = ZBuffer().render(frame) { y, argb, depth, primitive ->
+    override fun render(frame: Frame, sink: RowSink): Counters = ZBufferRenderer().render(frame) {
+            y,
+            argb,
+            depth,
+            primitive
+        ->
         if (y == 15) spoil(argb, depth, primitive)
         sink.row(y, argb, depth, primitive)
     }
@@ -153,14 +163,19 @@ class FickleRenderer : Renderer {
     override val summary: String get() = "is right every other time"
 
     override fun render(frame: Frame, sink: RowSink): Counters =
-        (if (runs++ % 2 == 0) ZBuffer() else WrongColorRenderer()).render(frame, sink)
+        (if (runs++ % 2 == 0) ZBufferRenderer() else WrongColorRenderer()).render(frame, sink)
 }
 
 /** Delivers rows as [deliver] does. */
 open class RowsRenderer(override val id: String, private val deliver: (Int, () -> Unit) -> Unit) : Renderer {
     override val summary: String get() = "loses or repeats rows"
 
-    override fun render(frame: Frame, sink: RowSink): Counters = ZBuffer().render(frame) { y, argb, depth, primitive ->
+    override fun render(frame: Frame, sink: RowSink): Counters = ZBufferRenderer().render(frame) {
+            y,
+            argb,
+            depth,
+            primitive
+        ->
         deliver(y) { sink.row(y, argb, depth, primitive) }
     }
 }

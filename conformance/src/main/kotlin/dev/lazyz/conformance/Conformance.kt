@@ -8,12 +8,12 @@ import dev.lazyz.conformance.results.RuleListener
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.Waivers
 import dev.lazyz.conformance.results.WaiversException
+import dev.lazyz.conformance.run.ExitMessage
+import dev.lazyz.conformance.run.FrameFolder
 import dev.lazyz.conformance.run.FramesException
 import dev.lazyz.conformance.run.Journal
-import dev.lazyz.conformance.run.LastWords
 import dev.lazyz.conformance.run.Late
 import dev.lazyz.conformance.run.Lateness
-import dev.lazyz.conformance.run.OwnFrames
 import dev.lazyz.conformance.run.RunUnderWay
 import dev.lazyz.conformance.run.Settings
 import dev.lazyz.conformance.run.Shrinking
@@ -160,7 +160,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
             waivers ?: Settings.waivers(),
             shrinking,
             deadline ?: Settings.deadline(),
-            (frames ?: Settings.frames())?.let { OwnFrames(it) },
+            (frames ?: Settings.frames())?.let { FrameFolder(it) },
         )
 
         Supervisor.follow()
@@ -185,14 +185,14 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
 
     /** Creates the first renderer and queries its properties. If it ends the process or hangs, that is reported. */
     private fun judged(deadline: Duration): StrategyInfo = TryThread(deadline).use { thread ->
-        LastWords.keep()
-        LastWords.isMaking = true
+        ExitMessage.keep()
+        ExitMessage.isMaking = true
         try {
             thread.call { StrategyInfo(renderer.get()) }
         } catch (late: Late) {
             throw NotMadeException("making the renderer ${late.message}", late.lateness == Lateness.UNKNOWN)
         } finally {
-            LastWords.isMaking = false
+            ExitMessage.isMaking = false
         }
     }
 
@@ -206,7 +206,7 @@ public class Conformance(private val renderer: Supplier<out Renderer>) {
          * @throws FramesException if the folder cannot be read
          */
         @JvmStatic
-        public fun ownFrames(folder: Path): Int = OwnFrames.files(folder).size
+        public fun ownFrames(folder: Path): Int = FrameFolder.files(folder).size
     }
 }
 

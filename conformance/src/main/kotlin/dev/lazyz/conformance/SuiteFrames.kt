@@ -25,7 +25,7 @@ import dev.lazyz.conformance.probes.textured as texturedCase
 import dev.lazyz.conformance.probes.threads.Crowd
 import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.threads.Where
-import dev.lazyz.conformance.probes.threads.Workers
+import dev.lazyz.conformance.probes.threads.WorkerProbe
 
 /**
  * The frames of rules that a report names by a call, such as `SuiteFrames.textured(3659L)`, because their code would be
@@ -69,7 +69,7 @@ public object SuiteFrames {
 
     /** Four primitives that cover all samples. */
     @JvmStatic
-    public fun workers(): Frame = Workers.quiet().frame
+    public fun workers(): Frame = WorkerProbe.quiet().frame
 
     /** Four primitives that cover all samples, of which another one is the nearest at each. */
     @JvmStatic

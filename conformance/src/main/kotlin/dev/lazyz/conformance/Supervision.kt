@@ -6,8 +6,8 @@ import dev.lazyz.conformance.run.Deadline
 import dev.lazyz.conformance.run.Journal
 import dev.lazyz.conformance.run.JournalFollower
 import dev.lazyz.conformance.run.Lateness
-import dev.lazyz.conformance.run.Patience
 import dev.lazyz.conformance.run.Settings
+import dev.lazyz.conformance.run.StallTimer
 import dev.lazyz.conformance.run.Supervisor
 import java.io.IOException
 import java.io.InputStream
@@ -98,7 +98,7 @@ public class Supervision @JvmOverloads constructor(
      */
     private fun awaitEnd(process: Process, follower: JournalFollower): Lateness? {
         var state: Pair<Long, FileTime>? = null
-        val silence = Patience(patience)
+        val silence = StallTimer(patience)
         fun used() = process.info().totalCpuDuration().orElse(Duration.ZERO)
         var before = used()
         while (!process.waitFor(MOMENT, TimeUnit.MILLISECONDS)) {

@@ -7,8 +7,8 @@ import dev.lazyz.conformance.census.PairsOfTraits
 import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest
@@ -25,7 +25,7 @@ import org.junit.jupiter.api.TestFactory
 class BuiltInRenderersTest {
     @TestFactory
     fun passes(): List<DynamicTest> {
-        val renderers = Renderers.builtIn.filter { it !is ZBuffer } + ReferenceRenderer()
+        val renderers = Renderers.builtIn.filter { it !is ZBufferRenderer } + ReferenceRenderer()
         if (TestEffort.isDefault) return emptyList()
         return renderers.mapIndexed { i, renderer ->
             val rules = if (TestEffort.isFull || i == 0) {
@@ -38,7 +38,7 @@ class BuiltInRenderersTest {
     }
 
     private fun assertPasses(renderer: Renderer, rules: Set<String>) {
-        val tries = if (TestEffort.isFull || renderer is Lists) 1.0 else 0.05
+        val tries = if (TestEffort.isFull || renderer is ListsRenderer) 1.0 else 0.05
         val run = SuiteRun.of(tries, rules) { renderer }
 
         // The oracle queries every primitive at every sample, whatever the cost
@@ -47,7 +47,7 @@ class BuiltInRenderersTest {
         val failures = run.failures - excused
         assertEquals("", failures.entries.joinToString("\n\n") { (rule, failure) -> "$rule\n${failure.message}" })
         assertEquals(rules, run.rules)
-        if (renderer is Lists) assertMeetsAllPairs(run.report.distribution)
+        if (renderer is ListsRenderer) assertMeetsAllPairs(run.report.distribution)
     }
 
     /** A renderer that blends and supports selectors must be tested with every compatible pair of traits. */

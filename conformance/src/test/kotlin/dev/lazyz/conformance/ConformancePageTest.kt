@@ -3,7 +3,7 @@ package dev.lazyz.conformance
 import dev.lazyz.conformance.fuzz.DifferentialFuzzing
 import dev.lazyz.conformance.mutants.PlainRenderer
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
@@ -37,7 +37,8 @@ class ConformancePageTest {
 
     @Test
     fun programComparesTwoRenderers(@TempDir folder: Path) {
-        val report = DifferentialFuzzing(ZBuffer(), MyRenderer()).time(Duration.ofSeconds(1)).corpus(folder).run()
+        val report =
+            DifferentialFuzzing(ZBufferRenderer(), MyRenderer()).time(Duration.ofSeconds(1)).corpus(folder).run()
         check(report.isEqual) { report.toText() }
 
         // A busy machine may need the whole second for the first frame

@@ -8,7 +8,7 @@ import dev.lazyz.conformance.mutants.WrongColors
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.run.RunUnderWay
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.io.ByteArrayOutputStream
 import java.io.PrintStream
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -107,12 +107,12 @@ class ConformanceTest {
     @Test
     fun distributionCountsTheFramesThatWereTried() {
         val distribution = Conformance {
-            ZBuffer()
+            ZBufferRenderer()
         }.rule("rule_5_2_tiesGoToTheFirstSubmitted").tries(0.5).run().distribution
         assertEquals(100, distribution.frames)
         assertTrue(distribution.count(FrameTrait.TIE) in 20..99, "$distribution")
         assertTrue(distribution.count(FrameTrait.HIDDEN) >= distribution.count(FrameTrait.TIE), "$distribution")
-        val regions = Conformance { ZBuffer() }.rule("7.4").tries(0.5).run().distribution
+        val regions = Conformance { ZBufferRenderer() }.rule("7.4").tries(0.5).run().distribution
         assertTrue(regions.count(FrameTrait.REGION) > 25, "$regions")
     }
 

@@ -1,11 +1,11 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.within

@@ -14,7 +14,7 @@ import dev.lazyz.conformance.mutants.WrongColors
 import dev.lazyz.conformance.probes.smallFrames
 import dev.lazyz.conformance.probes.surfacesOfOneShader
 import dev.lazyz.conformance.probes.textured
-import dev.lazyz.strategies.lists.Lists
+import dev.lazyz.strategies.lists.ListsRenderer
 import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test
 class SuiteFramesTest {
     private fun assertSame(case: FrameCase, code: String, made: Frame) {
         assertEquals(code, case.code)
-        assertNull(difference(Lists().render(case.frame), Lists().render(made)), code)
+        assertNull(difference(ListsRenderer().render(case.frame), ListsRenderer().render(made)), code)
     }
 
     @Test

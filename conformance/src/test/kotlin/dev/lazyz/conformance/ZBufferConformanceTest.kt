@@ -1,8 +1,8 @@
 package dev.lazyz.conformance
 
 import dev.lazyz.Renderer
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 class ZBufferConformanceTest : RendererConformance() {
-    override fun renderer(): Renderer = ZBuffer()
+    override fun renderer(): Renderer = ZBufferRenderer()
 }

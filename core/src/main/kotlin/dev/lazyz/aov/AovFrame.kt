@@ -2,16 +2,16 @@ package dev.lazyz.aov
 
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.RecentPrimitives
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.ShadingObserver
-import dev.lazyz.Spans
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.geometry.UpAxis
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.ShadingObserver
+import dev.lazyz.spi.Spans
 import java.io.IOException
 import java.util.concurrent.atomic.AtomicIntegerArray
 
@@ -20,7 +20,7 @@ import java.util.concurrent.atomic.AtomicIntegerArray
  *
  * ```
  * val frame = SuperSampling(4).frame(scene, Raster(640, 480))
- * val aovs = AovFrame(frame, setOf(Aov.DEPTH, Aov.NORMAL)).render(Tiled())
+ * val aovs = AovFrame(frame, setOf(Aov.DEPTH, Aov.NORMAL)).render(TiledRenderer())
  * val distance = aovs[Aov.DEPTH].number(x = 320, y = 240)
  * ```
  *
@@ -73,27 +73,27 @@ public class AovFrame(public val frame: SampledFrame, public val aovs: Set<Aov>)
     }
 
     override fun toString(): String = "AovFrame($frame, ${aovs.joinToString { it.id }})"
-}
 
-/**
- * The AOVs of a rendering. Immutable.
- *
- * @property images the images, in the order of [Aov]
- * @property counters the work of the rendering of the picture
- */
-public class AovImages internal constructor(public val images: List<AovImage>, public val counters: Counters) {
     /**
-     * Returns the image of [aov].
+     * The AOVs of a rendering. Immutable.
      *
-     * @throws IllegalArgumentException if it was not requested
+     * @property images the images, in the order of [Aov]
+     * @property counters the work of the rendering of the picture
      */
-    public operator fun get(aov: Aov): AovImage =
-        requireNotNull(images.firstOrNull { it.aov == aov }) { "'${aov.id}' was not requested: $this" }
+    public class AovImages internal constructor(public val images: List<AovImage>, public val counters: Counters) {
+        /**
+         * Returns the image of [aov].
+         *
+         * @throws IllegalArgumentException if it was not requested
+         */
+        public operator fun get(aov: Aov): AovImage =
+            requireNotNull(images.firstOrNull { it.aov == aov }) { "'${aov.id}' was not requested: $this" }
 
-    /** Returns positions and normals in the coordinates of a model, see [AovImage.toModel]. */
-    public fun toModel(up: UpAxis): AovImages = AovImages(images.map { it.toModel(up) }, counters)
+        /** Returns positions and normals in the coordinates of a model, see [AovImage.toModel]. */
+        public fun toModel(up: UpAxis): AovImages = AovImages(images.map { it.toModel(up) }, counters)
 
-    override fun toString(): String = "AovImages(${images.joinToString { it.aov.id }})"
+        override fun toString(): String = "AovImages(${images.joinToString { it.aov.id }})"
+    }
 }
 
 /** The AOVs of work: how often something happens at the samples of a pixel. */

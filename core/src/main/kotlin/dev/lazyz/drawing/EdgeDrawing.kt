@@ -2,6 +2,7 @@ package dev.lazyz.drawing
 
 import dev.lazyz.Checkpoint
 import dev.lazyz.Primitive
+import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.setup.Viewport
@@ -93,7 +94,7 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
 
     private fun lines(pieces: Pieces, model: EdgeModel, checkpoint: Checkpoint): List<DoubleArray> {
         val lines = ArrayList<DoubleArray>()
-        val whole = Crumbs(pieces, model.pointCount, CRUMB * width, NEAR * width, checkpoint).removed()
+        val whole = ShortPieces(pieces, model.pointCount, CRUMB * width, NEAR * width, checkpoint).removed()
         Polylines(whole, model.pointCount).forEach { lines += it }
         return lines
     }
@@ -118,7 +119,7 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
         const val DASH = 5.0
         const val GAP = 3.5
 
-        /** The length below which a part of a silhouette is left out, see [Crumbs], as a multiple of the width. */
+        /** The length below which a part of a silhouette is left out, see [ShortPieces], as a multiple of the width. */
         const val CRUMB = 8.0
 
         /** The distance at which lines belong together, in the same unit. */

@@ -1,11 +1,11 @@
 package dev.lazyz.drawing
 
 import dev.lazyz.Checkpoint
-import dev.lazyz.FillRule
 import dev.lazyz.geometry.DistinctTriples
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.geometry.Vectors
-import dev.lazyz.world.material.AlphaMode
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Surface

@@ -70,6 +70,27 @@ public class EdgeStyle @JvmOverloads constructor(
 
     override fun toString(): String = "EdgeStyle($edges, creases from $creaseAngle degrees, $width pixels, $hidden)"
 
+    /** Which edges of meshes are drawn. */
+    public enum class EdgeSet {
+        /** Silhouettes, creases and boundaries, see [FeatureEdges]. */
+        FEATURES,
+
+        /** All edges of all triangles. */
+        ALL,
+    }
+
+    /** What happens to the parts of edges that a surface hides. `HiddenParts` finds these parts. */
+    public enum class HiddenLines {
+        /** They are not drawn. */
+        NONE,
+
+        /** They are drawn dashed, thinner than the visible parts. */
+        DASHED,
+
+        /** They are drawn solid, thinner than the visible parts. */
+        SOLID,
+    }
+
     public companion object {
         /** Width of hidden lines, as a part of the width of visible lines. */
         public const val HIDDEN_SHARE: Double = 0.6
@@ -78,25 +99,4 @@ public class EdgeStyle @JvmOverloads constructor(
         @JvmField
         public val HIDDEN_GREY: Rgba = Rgba.ofRgb(0xA0A0A0)
     }
-}
-
-/** Which edges of meshes are drawn. */
-public enum class EdgeSet {
-    /** Silhouettes, creases and boundaries, see [FeatureEdges]. */
-    FEATURES,
-
-    /** All edges of all triangles. */
-    ALL,
-}
-
-/** What happens to the parts of edges that a surface hides. `HiddenParts` finds these parts. */
-public enum class HiddenLines {
-    /** They are not drawn. */
-    NONE,
-
-    /** They are drawn dashed, thinner than the visible parts. */
-    DASHED,
-
-    /** They are drawn solid, thinner than the visible parts. */
-    SOLID,
 }

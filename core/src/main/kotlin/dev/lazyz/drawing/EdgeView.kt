@@ -2,6 +2,7 @@ package dev.lazyz.drawing
 
 import dev.lazyz.Checkpoint
 import dev.lazyz.Workers
+import dev.lazyz.drawing.EdgeStyle.EdgeSet
 
 /**
  * The edges of [model] in one view: which of them are drawn, and which parts of them are hidden. Used once; not thread

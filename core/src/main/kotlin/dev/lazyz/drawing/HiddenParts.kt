@@ -1,6 +1,6 @@
 package dev.lazyz.drawing
 
-import dev.lazyz.FillRule
+import dev.lazyz.geometry.FillRule
 
 /**
  * Finds the parts of a straight edge that faces hide. One edge at a time: [begin], then [behindTriangle] and

@@ -1,6 +1,6 @@
 package dev.lazyz.drawing
 
-import dev.lazyz.FillRule
+import dev.lazyz.geometry.FillRule
 
 /**
  * The part of a polygon that is at or beyond the near plane, in [ViewSpace]. It has a plane: h as a function of the

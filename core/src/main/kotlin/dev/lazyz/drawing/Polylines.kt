@@ -131,7 +131,7 @@ internal class Pieces {
  * @param pointCount number of points of the model
  * @param checkpoint passed for each piece
  */
-internal class Crumbs(
+internal class ShortPieces(
     private val pieces: Pieces,
     pointCount: Int,
     private val least: Double,

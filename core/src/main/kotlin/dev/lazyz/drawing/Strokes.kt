@@ -1,14 +1,14 @@
 package dev.lazyz.drawing
 
-import dev.lazyz.Fragment
 import dev.lazyz.HeapLayout
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.Spans
 import dev.lazyz.raster.RowHull
 import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.Spans
 import kotlin.math.ceil
 import kotlin.math.floor
 import kotlin.math.round

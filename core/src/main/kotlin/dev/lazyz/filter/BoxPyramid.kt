@@ -2,6 +2,7 @@ package dev.lazyz.filter
 
 import dev.lazyz.Raster
 import dev.lazyz.filter.LightSums.CHANNELS
+import dev.lazyz.filter.SuperSampling.PixelFilter
 import java.io.IOException
 
 /**
@@ -128,6 +129,19 @@ public class BoxPyramid(public val width: Int, public val height: Int, private v
         override fun toString(): String = "row $y of $rows of level $number"
     }
 
+    /** Receives the rows of the levels of a [BoxPyramid], those of each level in order from the top. */
+    public fun interface LevelSink {
+        /**
+         * Receives row [y] of level [level]; level 0 is the picture. The array belongs to the caller, is valid only
+         * during this call, can be longer than the row, and must not be changed.
+         *
+         * @param argb colours, 8-bit sRGB with straight alpha, `0xAARRGGBB`
+         * @throws IOException if the row cannot be written; it reaches the caller of [BoxPyramid.add]
+         */
+        @Throws(IOException::class)
+        public fun row(level: Int, y: Int, argb: IntArray)
+    }
+
     public companion object {
         /** The last level whose sums fit into 64 bits: 24 of light, 8 of alpha and 30 for the pixels. */
         private const val EXACT_LEVELS = 15
@@ -141,17 +155,4 @@ public class BoxPyramid(public val width: Int, public val height: Int, private v
         @JvmStatic
         public fun side(side: Int, level: Int): Int = ((side.toLong() + (1L shl level) - 1) shr level).toInt()
     }
-}
-
-/** Receives the rows of the levels of a [BoxPyramid], those of each level in order from the top. */
-public fun interface LevelSink {
-    /**
-     * Receives row [y] of level [level]; level 0 is the picture. The array belongs to the caller, is valid only during
-     * this call, can be longer than the row, and must not be changed.
-     *
-     * @param argb colours, 8-bit sRGB with straight alpha, `0xAARRGGBB`
-     * @throws IOException if the row cannot be written; it reaches the caller of [BoxPyramid.add]
-     */
-    @Throws(IOException::class)
-    public fun row(level: Int, y: Int, argb: IntArray)
 }

@@ -4,9 +4,10 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.RowSink
-import dev.lazyz.Srgb
 import dev.lazyz.filter.LightSums.ALPHA
 import dev.lazyz.filter.LightSums.CHANNELS
+import dev.lazyz.filter.SuperSampling.PixelFilter
+import dev.lazyz.spi.Srgb
 import java.util.Arrays
 
 /**

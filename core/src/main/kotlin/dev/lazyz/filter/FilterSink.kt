@@ -5,6 +5,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.filter.LightSums.CHANNELS
+import dev.lazyz.filter.SuperSampling.PixelFilter
 import kotlin.math.ceil
 import kotlin.math.round
 

@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.RowSink
+import dev.lazyz.filter.SuperSampling.ShadingRate
 import dev.lazyz.shading.GatheredShading
 import java.util.Arrays
 

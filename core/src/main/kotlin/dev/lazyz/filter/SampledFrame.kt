@@ -8,7 +8,9 @@ import dev.lazyz.Region
 import dev.lazyz.RenderedRows
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.ShadingObserver
+import dev.lazyz.filter.SuperSampling.PixelFilter
+import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.spi.ShadingObserver
 import java.io.IOException
 
 /**

@@ -15,7 +15,7 @@ import dev.lazyz.world.surface.Surface
  * Anti-aliasing by several samples a pixel: [factor] x [factor] samples on a regular grid, and a filter.
  *
  * ```
- * val image = SuperSampling(4).frame(scene, Raster(640, 480)).render(Tiled())
+ * val image = SuperSampling(4).frame(scene, Raster(640, 480)).render(TiledRenderer())
  * ```
  *
  * The frame of samples is an ordinary one, of a raster [factor] times as wide and as high, so every renderer, option
@@ -101,6 +101,67 @@ public class SuperSampling @JvmOverloads constructor(
 
     override fun toString(): String = "SuperSampling($factor, $filter, $rate)"
 
+    /** How often a primitive is shaded with several samples a pixel. */
+    public enum class ShadingRate {
+        /** At every visible sample. */
+        SAMPLE,
+
+        /**
+         * Once for each primitive that is visible in a pixel, at its visible sample that is nearest to the pixel's
+         * centre. The edges of primitives are as smooth as with [SAMPLE]; highlights are not. Textures with a
+         * `MipFilter` are read with the footprint of a pixel, as with one sample a pixel. For expensive shaders.
+         */
+        PIXEL,
+    }
+
+    /**
+     * How the samples around a pixel are weighted. The weight of a sample is the product of a weight for its column and
+     * one for its row, so every filter is separable.
+     *
+     * @property radius how far from the centre of a pixel samples count, pixels
+     */
+    public enum class PixelFilter(public val radius: Double) {
+        /** All samples of the pixel, with equal weights. The fastest, and exact for areas. */
+        BOX(0.5),
+
+        /**
+         * Mitchell and Netravali's cubic filter with B = C = 1/3: sharp. It has small negative weights, so next to a
+         * strong edge there is a faint line. Source: "Reconstruction Filters in Computer Graphics", SIGGRAPH 1988.
+         */
+        MITCHELL(2.0),
+
+        /**
+         * The window of Blackman and Harris, four terms: smooth, without negative weights. Source: F. Harris, "On the
+         * Use of Windows for Harmonic Analysis with the Discrete Fourier Transform", Proceedings of the IEEE 66, 1978.
+         */
+        BLACKMAN_HARRIS(1.5),
+        ;
+
+        /** Returns the weight at [distance] from the centre, pixels; not normalised. */
+        internal fun weight(distance: Double): Double {
+            val x = StrictMath.abs(distance)
+            return when (this) {
+                BOX -> 1.0
+                MITCHELL -> mitchell(x)
+                BLACKMAN_HARRIS -> blackmanHarris(StrictMath.PI * x / radius)
+            }
+        }
+
+        private fun mitchell(x: Double): Double = when {
+            x < 1.0 -> (7.0 * x * x * x - 12.0 * x * x + 16.0 / 3.0) / 6.0
+            x < 2.0 -> (-7.0 / 3.0 * x * x * x + 12.0 * x * x - 20.0 * x + 32.0 / 3.0) / 6.0
+            else -> 0.0
+        }
+
+        private fun blackmanHarris(angle: Double): Double =
+            if (angle >= StrictMath.PI) {
+                0.0
+            } else {
+                0.35875 + 0.48829 * StrictMath.cos(angle) + 0.14128 * StrictMath.cos(2 * angle) +
+                    0.01168 * StrictMath.cos(3 * angle)
+            }
+    }
+
     public companion object {
         /** The largest [factor]. */
         public const val MAX_FACTOR: Int = 64
@@ -109,17 +170,4 @@ public class SuperSampling @JvmOverloads constructor(
         @JvmField
         public val NONE: SuperSampling = SuperSampling(1)
     }
-}
-
-/** How often a primitive is shaded with several samples a pixel. */
-public enum class ShadingRate {
-    /** At every visible sample. */
-    SAMPLE,
-
-    /**
-     * Once for each primitive that is visible in a pixel, at its visible sample that is nearest to the pixel's centre.
-     * The edges of primitives are as smooth as with [SAMPLE]; highlights are not. Textures with a `MipFilter` are read
-     * with the footprint of a pixel, as with one sample a pixel. For expensive shaders.
-     */
-    PIXEL,
 }

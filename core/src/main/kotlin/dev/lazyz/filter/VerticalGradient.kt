@@ -3,7 +3,7 @@ package dev.lazyz.filter
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
-import dev.lazyz.Srgb
+import dev.lazyz.spi.Srgb
 
 /**
  * A background that changes evenly from the top of a picture to its bottom.

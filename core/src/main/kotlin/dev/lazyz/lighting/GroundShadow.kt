@@ -1,17 +1,17 @@
 package dev.lazyz.lighting
 
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
-import dev.lazyz.Shader
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Shader
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Surface

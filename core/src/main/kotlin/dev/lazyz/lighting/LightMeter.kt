@@ -4,7 +4,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.geometry.FaceNormal
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.StreamedMesh
 import dev.lazyz.world.surface.Surface

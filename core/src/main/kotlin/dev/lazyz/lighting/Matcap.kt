@@ -1,9 +1,9 @@
 package dev.lazyz.lighting
 
-import dev.lazyz.Fragment
 import dev.lazyz.Rgba
-import dev.lazyz.Shader
 import dev.lazyz.geometry.Vectors
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Shader
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene

@@ -7,9 +7,9 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.drawing.EdgeDrawing
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Surface
@@ -58,7 +58,7 @@ internal class Occluders(scene: Scene) {
         options.workers.forEach(maps.size, Checkpoint.CALLER) { number, checkpoint ->
             val image = undisturbed(caller, checkpoint) {
                 val frame = scene.withViewpoint(maps[number].camera()).frame(Raster(size, size), alone)
-                Tiled(alone).render(frame.unshaded())
+                TiledRenderer(alone).render(frame.unshaded())
             }
             maps[number].fill(image)
             done.run()

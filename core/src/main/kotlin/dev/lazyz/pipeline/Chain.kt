@@ -1,16 +1,16 @@
 package dev.lazyz.pipeline
 
 import dev.lazyz.Checkpoint
-import dev.lazyz.Coherence
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.HeapLayout
-import dev.lazyz.Spans
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.bytes
 import dev.lazyz.raster.byFirstRow
 import dev.lazyz.raster.forEachPrimitive
 import dev.lazyz.raster.reaches
 import dev.lazyz.shading.LateShading
+import dev.lazyz.spi.Spans
 
 /**
  * The stages that rows pass through, in submission order: one for each primitive that can cover the current row.
@@ -58,7 +58,7 @@ internal class Chain(
     /** The stages, from upstream to downstream; null from [size] on. */
     private var stages = arrayOfNulls<Stage>(CAPACITY)
     private var stageBytes = 0L
-    private val spans = Spans(frame.region)
+    private val spans = frame.region.spans()
 
     /** Bytes of [spans]. With a budget, these are the most that it can grow to, whatever the primitives are. */
     private val spansBytes: Long
@@ -74,21 +74,21 @@ internal class Chain(
      * Begins row [y]: adds the stages whose primitives begin here. Returns the input of the first stage: a row of
      * background, on which only the primitives without a stage are drawn.
      */
-    fun begin(y: Int): Row {
-        val row = Row(frame, y, coherence)
+    fun begin(y: Int): LazyRow {
+        val row = LazyRow(frame, y, coherence)
         if (y == frame.region.rowStart) row.counting.primitives = frame.primitives.size.toLong()
         if (entries != null) join(entries, row) else drawAll(row)
         return row
     }
 
     /** Ends [row], the output of the last stage: removes the stages whose primitives end here. */
-    fun end(row: Row) {
+    fun end(row: LazyRow) {
         row.counting.peakSuspensions = row.keys.count { row.test.indexOf(it) != DepthTest.BACKGROUND }.toLong()
         row.hold(entryBytes + stages.bytes + stageBytes + spansBytes)
         leave(row.y)
     }
 
-    private fun join(entries: LongArray, row: Row) {
+    private fun join(entries: LongArray, row: LazyRow) {
         val y = row.y
         val before = size
         while (entered < entries.size && (entries[entered] ushr 32).toInt() <= y) entered++
@@ -111,7 +111,7 @@ internal class Chain(
      * Adds a stage for the primitive [index]. If the stage does not fit into the budget, draws [row] instead, and
      * returns true.
      */
-    private fun isStageless(index: Int, row: Row): Boolean {
+    private fun isStageless(index: Int, row: LazyRow): Boolean {
         val joining = stage(frame, index, row.y, spans)
         if (!hasRoom(joining.bytes)) {
             joining.next(row)
@@ -132,7 +132,7 @@ internal class Chain(
     }
 
     /** Draws all primitives of the row, without stages. */
-    private fun drawAll(row: Row) {
+    private fun drawAll(row: LazyRow) {
         frame.forEachPrimitive(checkpoint) { index, primitive ->
             if (row.y in primitive.rowStart until primitive.rowEnd && primitive.reaches(frame.region)) {
                 stage(frame, index, row.y, spans).next(row)

@@ -2,14 +2,14 @@ package dev.lazyz.pipeline
 
 import dev.lazyz.Capability
 import dev.lazyz.Counters
-import dev.lazyz.Drawing
 import dev.lazyz.Primitive
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.StreamingRenderer.Rendering
 import dev.lazyz.opaqueNeeded
 
 /**
- * A [Drawing]. Checks what callers may do, and leaves the work to [draw] and [end].
+ * A [Rendering]. Checks what callers may do, and leaves the work to [draw] and [end].
  *
  * @param draw draws the next primitive
  * @param end passes the rows to the sink
@@ -18,7 +18,7 @@ internal class GuardedDrawing(
     private val renderer: Renderer,
     private val draw: (primitive: Primitive) -> Unit,
     private val end: (sink: RowSink) -> Counters,
-) : Drawing {
+) : Rendering {
     private val isBlending = Capability.TRANSPARENCY in renderer.capabilities
     private var count = 0
     private var hasEnded = false

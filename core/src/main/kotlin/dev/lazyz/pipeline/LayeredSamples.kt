@@ -4,15 +4,15 @@ import dev.lazyz.Blending
 import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RowSink
-import dev.lazyz.Spans
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.forEachKey
 import dev.lazyz.raster.forEachRow
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 
 /**
  * For each sample of a region the nearest opaque fragment so far, and all translucent fragments in front of it, with
@@ -48,7 +48,7 @@ internal class LayeredSamples(
     private val mostLayers = ((mostBytes - BYTES_PER_SAMPLE * size) / BYTES_PER_LAYER).coerceIn(0, MOST_LAYERS).toInt()
 
     private val fragment = Fragment()
-    private val spans = Spans(region)
+    private val spans = region.spans()
 
     /** Bytes held. */
     val bytes: Long get() = BYTES_PER_SAMPLE * size + BYTES_PER_LAYER * next.size

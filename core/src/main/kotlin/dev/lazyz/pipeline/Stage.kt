@@ -2,9 +2,9 @@ package dev.lazyz.pipeline
 
 import dev.lazyz.Frame
 import dev.lazyz.HeapLayout
-import dev.lazyz.Spans
 import dev.lazyz.raster.bytes
 import dev.lazyz.raster.forEachKey
+import dev.lazyz.spi.Spans
 
 /**
  * A primitive as a transformation of rows: takes the upstream row, whose cells show all earlier primitives, and returns
@@ -28,16 +28,16 @@ internal open class Stage(frame: Frame, val index: Int, y: Int, private val span
     open val bytes: Long get() = HeapLayout.STAGE + cursor.bytes
 
     /** Receives the next row from upstream and returns the row for downstream. */
-    open fun next(upstream: Row): Row = transform(upstream)
+    open fun next(upstream: LazyRow): LazyRow = transform(upstream)
 
     /** Lowers the keys of the cells of [row] in which this primitive is visible. */
-    protected fun transform(row: Row): Row {
+    protected fun transform(row: LazyRow): LazyRow {
         cursor.next(spans)
         for (i in 0 until spans.count) drawSpan(row, spans.start(i), spans.end(i))
         return row
     }
 
-    private fun drawSpan(row: Row, start: Int, end: Int) {
+    private fun drawSpan(row: LazyRow, start: Int, end: Int) {
         val keys = row.keys
         var passes = 0L
         primitive.forEachKey(index, row.test, row.y, start, end) { x, key ->

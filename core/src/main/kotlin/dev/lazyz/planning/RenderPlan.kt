@@ -16,7 +16,7 @@ import dev.lazyz.strategies.StrategyEstimates
 public class RenderPlan internal constructor(
     public val renderer: Renderer,
     public val memory: Long,
-    public val items: List<MemoryItem>,
+    public val items: List<RenderPlan.Item>,
     public val passes: Int,
     public val summary: String,
 ) {
@@ -35,13 +35,28 @@ public class RenderPlan internal constructor(
     /** Returns readable text: a line for each item, the reserve, the sum, and the [summary]. */
     public fun explain(): String = buildString {
         append("memory: ${mebibytes(memory)} may be used\n")
-        val all = items + MemoryItem("reserve for the garbage collector", reserve(bytes)) +
-            MemoryItem("all", leastMemory)
+        val all = items + RenderPlan.Item("reserve for the garbage collector", reserve(bytes)) +
+            RenderPlan.Item("all", leastMemory)
         for (item in all) append("  %-52s %12s\n".format(null, item.what, mebibytes(item.bytes)))
         append("plan: $summary\n")
     }
 
     override fun toString(): String = "RenderPlan($summary, $leastMemory of $memory bytes)"
+
+    /**
+     * What a part of a rendering needs. Immutable.
+     *
+     * @property what description of the part
+     * @property bytes most bytes of memory that it holds at a time
+     * @throws IllegalArgumentException if [bytes] is negative
+     */
+    public class Item(public val what: String, public val bytes: Long) {
+        init {
+            require(bytes >= 0) { "bytes must not be negative: $bytes" }
+        }
+
+        override fun toString(): String = "Item($what, $bytes bytes)"
+    }
 
     public companion object {
         /** Part of the need that is kept free in addition, one in so many. Measured, see docs/memory.md. */
@@ -59,19 +74,4 @@ public class RenderPlan internal constructor(
 
         internal fun mebibytes(bytes: Long): String = StrategyEstimates.mebibytes(bytes.toDouble())
     }
-}
-
-/**
- * What a part of a rendering needs. Immutable.
- *
- * @property what description of the part
- * @property bytes most bytes of memory that it holds at a time
- * @throws IllegalArgumentException if [bytes] is negative
- */
-public class MemoryItem(public val what: String, public val bytes: Long) {
-    init {
-        require(bytes >= 0) { "bytes must not be negative: $bytes" }
-    }
-
-    override fun toString(): String = "MemoryItem($what, $bytes bytes)"
 }

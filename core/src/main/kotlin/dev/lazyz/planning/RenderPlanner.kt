@@ -13,10 +13,10 @@ import dev.lazyz.pipeline.SampleBuffer
 import dev.lazyz.setup.triangleBatch
 import dev.lazyz.strategies.FrameNumbers
 import dev.lazyz.strategies.StrategyMemory
-import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.hierarchical.HierarchicalRenderer
 import dev.lazyz.strategies.tiled.TiledMemory
-import dev.lazyz.world.material.Shading
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.world.material.Material.Shading
 
 /**
  * Plans renderings that stay within limited memory: chooses a renderer, its threads, its tiles, the bands of a streamed
@@ -27,14 +27,14 @@ import dev.lazyz.world.material.Shading
  * if (plan.getFits()) frame.render(plan.getRenderer(), sink);
  * ```
  *
- * The needs of `Tiled` are upper bounds; those of other renderers come from the model of
+ * The needs of `TiledRenderer` are upper bounds; those of other renderers come from the model of
  * [dev.lazyz.strategies.Renderers.estimates], doubled, and vertices of triangles. Custom primitives, surfaces and
  * shaders that hold more memory than they report are not known.
  *
  * @param memory bytes of memory that may be used, in all
- * @param options what is requested. Threads and size of tiles are the most that a plan may use, and so is the limit
- *   for the bands of `Tiled`, unless there would be more than 64 of them. Other renderers choose their bands. A budget
- *   is kept as it is
+ * @param options what is requested. Threads and size of tiles are the most that a plan may use, and so is the limit for
+ *   the bands of `TiledRenderer`, unless there would be more than 64 of them. Other renderers choose their bands. A
+ *   budget is kept as it is
  * @throws IllegalArgumentException if [memory] is negative
  */
 public class RenderPlanner @JvmOverloads constructor(
@@ -61,11 +61,11 @@ public class RenderPlanner @JvmOverloads constructor(
     public fun plan(
         frame: SampledFrame,
         renderers: List<Renderer>,
-        others: List<MemoryItem> = emptyList(),
+        others: List<RenderPlan.Item> = emptyList(),
     ): RenderPlan {
         require(renderers.isNotEmpty()) { "there are no renderers to choose from; pass some, as Renderers.builtIn" }
         val filter = frame.filterBytes
-        val around = if (filter == 0L) others else others + MemoryItem("samples to pixels", filter)
+        val around = if (filter == 0L) others else others + RenderPlan.Item("samples to pixels", filter)
         var least: RenderPlan? = null
         val able = renderers.asSequence().filter { isAble(it, frame.frame) }
         for (plan in able.flatMap { plans(it, frame.frame, around) }) {
@@ -80,8 +80,8 @@ public class RenderPlanner @JvmOverloads constructor(
             (!frame.hasTranslucency || Capability.TRANSPARENCY in renderer.capabilities) &&
             (!frame.isStreamed || renderer is StreamingRenderer)
 
-    private fun plans(renderer: Renderer, frame: Frame, others: List<MemoryItem>): Sequence<RenderPlan> = when {
-        renderer !is Tiled -> sequenceOf(other(renderer, frame, others))
+    private fun plans(renderer: Renderer, frame: Frame, others: List<RenderPlan.Item>): Sequence<RenderPlan> = when {
+        renderer !is TiledRenderer -> sequenceOf(other(renderer, frame, others))
         frame.isStreamed -> variants().map { streamed(renderer, frame, others, it) }
         else -> variants().map { tiled(renderer, frame, others, it) }
     }
@@ -93,25 +93,35 @@ public class RenderPlanner @JvmOverloads constructor(
             .flatMap { threads -> tiles.map { options.withThreads(threads).withTileSize(it) } }
     }
 
-    private fun tiled(renderer: Tiled, frame: Frame, others: List<MemoryItem>, chosen: RenderOptions): RenderPlan {
+    private fun tiled(
+        renderer: TiledRenderer,
+        frame: Frame,
+        others: List<RenderPlan.Item>,
+        chosen: RenderOptions,
+    ): RenderPlan {
         val need = TiledMemory(frame, chosen.tileSize, chosen.threads)
         val items = others + listOf(
-            MemoryItem("rows of tiles", HeapLayout.array(need.rowBytes, memory) * need.rowArrays),
-            MemoryItem("triangles by tile", need.bins),
-            MemoryItem("other primitives by tile", need.singles),
-            MemoryItem("translucent layers of tiles", need.layers),
-            MemoryItem("threads", need.workers),
+            RenderPlan.Item("rows of tiles", HeapLayout.array(need.rowBytes, memory) * need.rowArrays),
+            RenderPlan.Item("triangles by tile", need.bins),
+            RenderPlan.Item("other primitives by tile", need.singles),
+            RenderPlan.Item("translucent layers of tiles", need.layers),
+            RenderPlan.Item("threads", need.workers),
         ).filter { it.bytes > 0 }
         return RenderPlan(renderer.configured(chosen), memory, items, 1, "${words(renderer, chosen)}, in one pass")
     }
 
     /** The rows of the picture are divided into as few bands as fit. */
-    private fun streamed(renderer: Tiled, frame: Frame, others: List<MemoryItem>, chosen: RenderOptions): RenderPlan {
+    private fun streamed(
+        renderer: TiledRenderer,
+        frame: Frame,
+        others: List<RenderPlan.Item>,
+        chosen: RenderOptions,
+    ): RenderPlan {
         val need = TiledMemory(Frame(frame.raster, emptyList(), frame.region), chosen.tileSize, chosen.threads)
         val parts = others + listOf(
-            MemoryItem("parts of the model", StrategyMemory.STREAM),
-            MemoryItem("rows of tiles", HeapLayout.array(need.rowBytes, memory) * need.rowArrays),
-            MemoryItem("threads", need.workers),
+            RenderPlan.Item("parts of the model", StrategyMemory.STREAM),
+            RenderPlan.Item("rows of tiles", HeapLayout.array(need.rowBytes, memory) * need.rowArrays),
+            RenderPlan.Item("threads", need.workers),
         )
         val sampleBytes =
             if (frame.hasTranslucency) LayeredRendering.BYTES_PER_SAMPLE else SampleBuffer.BYTES_PER_SAMPLE
@@ -128,9 +138,9 @@ public class RenderPlanner @JvmOverloads constructor(
         val bandRows = (frame.height - 1L) / passes + 1
         val band = if (frame.hasTranslucency) {
             // How many fragments have to be kept turns out when they are drawn: in as many passes as that takes
-            MemoryItem("areas of translucent layers", maxOf(free, rowBytes * bandRows))
+            RenderPlan.Item("areas of translucent layers", maxOf(free, rowBytes * bandRows))
         } else {
-            MemoryItem("a band of $bandRows rows", rowBytes * bandRows)
+            RenderPlan.Item("a band of $bandRows rows", rowBytes * bandRows)
         }
         val configured = renderer.configured(chosen.withBandBytes(band.bytes))
         val how = when {
@@ -142,12 +152,12 @@ public class RenderPlanner @JvmOverloads constructor(
         return RenderPlan(configured, memory, parts + band, passes, summary)
     }
 
-    private fun other(renderer: Renderer, frame: Frame, others: List<MemoryItem>): RenderPlan {
+    private fun other(renderer: Renderer, frame: Frame, others: List<RenderPlan.Item>): RenderPlan {
         val isStreamed = frame.isStreamed
         val numbers = if (isStreamed) pictureOnly(frame) else FrameNumbers.of(frame)
         val parts = others + when {
-            isStreamed -> listOf(MemoryItem("parts of the model", StrategyMemory.STREAM_OF_OBJECTS))
-            else -> listOf(MemoryItem("vertices of triangles", StrategyMemory.VERTEX * vertices(frame)))
+            isStreamed -> listOf(RenderPlan.Item("parts of the model", StrategyMemory.STREAM_OF_OBJECTS))
+            else -> listOf(RenderPlan.Item("vertices of triangles", StrategyMemory.VERTEX * vertices(frame)))
         }.filter { it.bytes > 0 }
         val whole = StrategyMemory.reserved(renderer, numbers, options.memoryBudget)
         var chosen = options.withDefaultBandBytes()
@@ -160,8 +170,8 @@ public class RenderPlanner @JvmOverloads constructor(
             chosen = chosen.withMemoryBudget(budget)
             need = fixed + budget
         }
-        val kept = if (isStreamed && renderer is HierarchicalZBuffer) StrategyMemory.SAMPLE * frame.region.size else 0
-        val items = parts + MemoryItem("strategy ${renderer.id}", need + kept)
+        val kept = if (isStreamed && renderer is HierarchicalRenderer) StrategyMemory.SAMPLE * frame.region.size else 0
+        val items = parts + RenderPlan.Item("strategy ${renderer.id}", need + kept)
         val words = words(renderer, chosen)
         return RenderPlan(renderer.configured(chosen.supportedBy(renderer)), memory, items, 1, "$words, in one pass")
     }

@@ -2,9 +2,9 @@ package dev.lazyz.raster
 
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Region
+import dev.lazyz.spi.LinearForm
 
 /**
  * Bounds of a primitive's depth within an area (a rectangle of samples), without evaluating each sample.

@@ -1,9 +1,9 @@
 package dev.lazyz.raster
 
-import dev.lazyz.FillRule
 import dev.lazyz.HeapLayout
-import dev.lazyz.Spans
 import dev.lazyz.bytes
+import dev.lazyz.geometry.FillRule
+import dev.lazyz.spi.Spans
 
 /**
  * The edges of a polygon that cross rows of the raster, as exact integers (contract rule 2).

@@ -5,8 +5,8 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Region
-import dev.lazyz.Spans
 import dev.lazyz.endIfInterrupted
+import dev.lazyz.spi.Spans
 
 /**
  * Whether the bounds of this primitive intersect [region]. If not, a renderer does not use the primitive (rule 7.7).

@@ -1,6 +1,6 @@
 package dev.lazyz.raster
 
-import dev.lazyz.LinearForm
+import dev.lazyz.spi.LinearForm
 
 /**
  * Three snapped vertices that define the linear forms of a primitive (contract rule 3).

@@ -1,8 +1,8 @@
 package dev.lazyz.raster
 
 import dev.lazyz.HeapLayout
-import dev.lazyz.SpanCursor
-import dev.lazyz.Spans
+import dev.lazyz.spi.SpanCursor
+import dev.lazyz.spi.Spans
 
 /**
  * Returns the spans of a polygon by dividing it into trapezoids and stepping their sides from row to row.

@@ -1,8 +1,8 @@
 package dev.lazyz.sections
 
-import dev.lazyz.FillRule
 import dev.lazyz.Rgba
-import dev.lazyz.world.surface.Vertex
+import dev.lazyz.geometry.FillRule
+import dev.lazyz.world.surface.Polygon.Vertex
 
 /**
  * Cuts the contours of a polygon by a plane. First, each contour is cut by itself (Sutherland and Hodgman, "Reentrant

@@ -1,8 +1,8 @@
 package dev.lazyz.sections
 
-import dev.lazyz.Fragment
 import dev.lazyz.Rgba
-import dev.lazyz.Shader
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Shader
 import dev.lazyz.world.material.Material
 import kotlin.math.floor
 

@@ -1,17 +1,17 @@
 package dev.lazyz.sections
 
-import dev.lazyz.FillRule
 import dev.lazyz.Rgba
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.Sides
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.util.function.UnaryOperator
 import org.joml.Vector3dc
 
@@ -49,7 +49,7 @@ public class Section @JvmOverloads constructor(
      * Cuts [scene]. Caps come after all surfaces, in submission order. Lights and viewpoint are unchanged; a rule such
      * as `Camera.fit` shows what remains. Cost: linear in the size of the scene, for each plane.
      */
-    public fun of(scene: Scene): SectionedScene {
+    public fun of(scene: Scene): Section.Cut {
         val warnings = ArrayList<String>()
         val meshes = scene.surfaces.filterIsInstance<Mesh>()
         val caps = distinctPlanes.flatMap { caps(meshes, it, warnings) }
@@ -59,7 +59,7 @@ public class Section @JvmOverloads constructor(
         val whole = scene.surfaces.count { it !is Mesh && it !is Polygon && it !is Points && it !is Lines }
         if (whole > 0) warnings += "$whole spheres or custom surfaces cannot be cut, and are shown whole"
         val shown = if (planes.isEmpty()) kept else kept.map(::twoSided)
-        return SectionedScene(scene.withSurfaces(shown + caps), warnings)
+        return Section.Cut(scene.withSurfaces(shown + caps), warnings)
     }
 
     /** Inner walls, of which some show their backs, can be seen now. */
@@ -127,6 +127,16 @@ public class Section @JvmOverloads constructor(
 
     override fun toString(): String = "Section($planes)"
 
+    /**
+     * A scene that was cut, see [Section].
+     *
+     * @property scene what remains, with caps
+     * @property warnings what could not be cut or capped, in words; empty if everything could
+     */
+    public class Cut internal constructor(public val scene: Scene, public val warnings: List<String>) {
+        override fun toString(): String = "Cut($scene, ${warnings.size} warnings)"
+    }
+
     public companion object {
         /** The part of the light that remains in [darkened]. */
         private const val DARK = 0.6f
@@ -146,16 +156,6 @@ public class Section @JvmOverloads constructor(
                 material.metallicRoughness?.let { MetallicRoughness(it.metallic, it.roughness) },
             )
     }
-}
-
-/**
- * A scene that was cut, see [Section].
- *
- * @property scene what remains, with caps
- * @property warnings what could not be cut or capped, in words; empty if everything could
- */
-public class SectionedScene internal constructor(public val scene: Scene, public val warnings: List<String>) {
-    override fun toString(): String = "SectionedScene($scene, ${warnings.size} warnings)"
 }
 
 /** Cuts points and lines by a plane. */

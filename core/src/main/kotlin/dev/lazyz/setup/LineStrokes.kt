@@ -1,13 +1,9 @@
 package dev.lazyz.setup
 
 import dev.lazyz.EmptyPrimitive
-import dev.lazyz.Fragment
 import dev.lazyz.HeapLayout
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Shader
-import dev.lazyz.Spans
 import dev.lazyz.raster.RowHull
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.AttributedPrimitive
@@ -15,8 +11,12 @@ import dev.lazyz.shading.Lighting
 import dev.lazyz.shading.MaskedPrimitive
 import dev.lazyz.shading.MaterialShader
 import dev.lazyz.shading.Vertices
-import dev.lazyz.world.material.AlphaMode
-import dev.lazyz.world.material.Shading
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.Shader
+import dev.lazyz.spi.Spans
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Lines
 import kotlin.math.ceil
 import kotlin.math.round

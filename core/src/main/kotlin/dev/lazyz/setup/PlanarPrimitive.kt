@@ -1,20 +1,20 @@
 package dev.lazyz.setup
 
-import dev.lazyz.Attributes
-import dev.lazyz.Fragment
 import dev.lazyz.HeapLayout
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
-import dev.lazyz.Shader
-import dev.lazyz.ShadingCursor
-import dev.lazyz.SpanCursor
-import dev.lazyz.Spans
 import dev.lazyz.raster.EdgeFunctions
 import dev.lazyz.raster.EdgeTable
 import dev.lazyz.raster.ReferenceTriangle
 import dev.lazyz.raster.TrapezoidCursor
 import dev.lazyz.shading.AttributedPrimitive
 import dev.lazyz.shading.Vertices
+import dev.lazyz.spi.Attributes
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.Shader
+import dev.lazyz.spi.ShadingCursor
+import dev.lazyz.spi.SpanCursor
+import dev.lazyz.spi.Spans
 
 /**
  * A flat primitive: a triangle, or a polygon with any contours.

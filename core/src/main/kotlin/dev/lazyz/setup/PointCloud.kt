@@ -1,21 +1,21 @@
 package dev.lazyz.setup
 
 import dev.lazyz.EmptyPrimitive
-import dev.lazyz.Fragment
 import dev.lazyz.HeapLayout
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Shader
-import dev.lazyz.Spans
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.AttributedPrimitive
 import dev.lazyz.shading.Lighting
 import dev.lazyz.shading.MaterialShader
-import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.Shader
+import dev.lazyz.spi.Spans
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Points
 
 /** Sets up the points of one [Points] surface, and holds the data that they share. Immutable and thread safe. */

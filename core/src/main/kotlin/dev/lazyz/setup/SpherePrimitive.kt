@@ -1,20 +1,20 @@
 package dev.lazyz.setup
 
 import dev.lazyz.EmptyPrimitive
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
-import dev.lazyz.Shader
-import dev.lazyz.Spans
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.shading.AttributedPrimitive
 import dev.lazyz.shading.Lighting
 import dev.lazyz.shading.MaskedPrimitive
 import dev.lazyz.shading.MaterialShader
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Shader
+import dev.lazyz.spi.Spans
 import dev.lazyz.world.Camera
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Sphere
 import kotlin.math.floor
 import org.joml.Vector3d
@@ -251,7 +251,7 @@ internal class SpherePrimitive private constructor(
 }
 
 /** Converts spheres to primitives. */
-internal object SphereSetUp {
+internal object SphereStage {
     fun sphere(sphere: Sphere, camera: Camera, rays: SampleRays, lighting: Lighting): Primitive {
         val material = lit(sphere.material)
         val shader = MaterialShader(material, lighting, isPrelit = false)

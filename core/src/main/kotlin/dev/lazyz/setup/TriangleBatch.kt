@@ -9,7 +9,7 @@ import dev.lazyz.PrimitiveBatch
 import dev.lazyz.shading.MaskedPrimitive
 import dev.lazyz.shading.Vertices
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Mesh
 
 /**
@@ -27,7 +27,7 @@ import dev.lazyz.world.surface.Mesh
 internal class TriangleBatch(
     val mesh: Mesh,
     override val first: Int,
-    private val setUp: PlanarSetUp,
+    private val setUp: MeshStage,
     val grid: IntArray,
     private val inverseW: DoubleArray?,
     private val hidden: LongArray?,
@@ -57,7 +57,7 @@ internal class TriangleBatch(
     fun inverseW(vertex: Int): Double = if (inverseW == null) 1.0 else inverseW[vertex]
 
     /** Returns an object that shades the triangles of this batch; for one thread. */
-    fun faces(): FaceSetUp = setUp.face(mesh)
+    fun faces(): FaceStage = setUp.face(mesh)
 
     override fun reader(): (Int) -> Primitive = faces()::primitive
 

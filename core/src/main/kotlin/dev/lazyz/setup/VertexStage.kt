@@ -19,7 +19,7 @@ internal class VertexStage(camera: Camera, val viewport: Viewport) {
     /** Whether w can differ between vertices. */
     val isPerspective: Boolean = camera.projection is Projection.Perspective
 
-    val worldToClip = camera.setUpMatrix(viewport.raster.width.toDouble() / viewport.raster.height)
+    val worldToClip = camera.clipMatrix(viewport.raster.width.toDouble() / viewport.raster.height)
     private val eye = camera.eye
     private val back = camera.toWorldDirection(0.0, 0.0, 1.0)
 

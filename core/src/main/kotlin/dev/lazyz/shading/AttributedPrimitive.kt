@@ -1,8 +1,8 @@
 package dev.lazyz.shading
 
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
-import dev.lazyz.Shader
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Shader
 
 /** A primitive whose interpolated attributes can be computed without a shading call. */
 internal interface AttributedPrimitive : Primitive {

@@ -1,15 +1,15 @@
 package dev.lazyz.shading
 
-import dev.lazyz.FragmentBatch
 import dev.lazyz.Rgba
 import dev.lazyz.shading.light.LightSources
 import dev.lazyz.shading.light.LightVectors
 import dev.lazyz.shading.light.Loops
 import dev.lazyz.shading.light.Viewer
 import dev.lazyz.shading.light.hasNumbers
+import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.world.AmbientVisibility
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 
 /**
  * The formula of [Lighting.illuminate] for many fragments at a time, in short loops over arrays, which the JVM

@@ -1,12 +1,12 @@
 package dev.lazyz.shading
 
-import dev.lazyz.Attributes
-import dev.lazyz.BatchShader
-import dev.lazyz.Fragment
-import dev.lazyz.FragmentBatch
 import dev.lazyz.FrameContent
 import dev.lazyz.RecentPrimitives
 import dev.lazyz.endIfInterrupted
+import dev.lazyz.spi.Attributes
+import dev.lazyz.spi.BatchShader
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.FragmentBatch
 
 /**
  * Gathers samples of any primitives, and then shades them: together where consecutive ones have the same

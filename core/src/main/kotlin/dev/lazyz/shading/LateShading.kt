@@ -2,14 +2,14 @@ package dev.lazyz.shading
 
 import dev.lazyz.Blending
 import dev.lazyz.Checkpoint
-import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
-import dev.lazyz.ShadingCursor
+import dev.lazyz.RenderOptions.Coherence
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.ShadingCursor
 
 /**
  * Computes the colours of a row once visibility is known: one shading call for each visible sample.

@@ -8,7 +8,7 @@ import dev.lazyz.shading.pbr.StudioView
 import dev.lazyz.world.Camera
 import dev.lazyz.world.SceneLight
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import kotlin.math.sqrt
 
 /**

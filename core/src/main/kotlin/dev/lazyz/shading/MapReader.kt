@@ -1,7 +1,7 @@
 package dev.lazyz.shading
 
-import dev.lazyz.Fragment
-import dev.lazyz.FragmentBatch
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.TextureMap
 import kotlin.math.sqrt

@@ -1,10 +1,10 @@
 package dev.lazyz.shading
 
-import dev.lazyz.Fragment
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
-import dev.lazyz.ShadingCursor
-import dev.lazyz.Spans
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.ShadingCursor
+import dev.lazyz.spi.Spans
 
 /**
  * A primitive with an alpha mask: it covers the samples whose alpha reaches the cutoff (contract rule 2.7).

@@ -1,15 +1,15 @@
 package dev.lazyz.shading
 
-import dev.lazyz.BatchShader
-import dev.lazyz.Fragment
-import dev.lazyz.FragmentBatch
 import dev.lazyz.Rgba
 import dev.lazyz.shading.light.LightVectors
 import dev.lazyz.shading.pbr.BatchPhysicalLighting
 import dev.lazyz.shading.pbr.PhysicalSurface
-import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.spi.BatchShader
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 
 /**
  * A shader for a material and lights.

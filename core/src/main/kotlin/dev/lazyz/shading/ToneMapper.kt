@@ -1,22 +1,21 @@
 package dev.lazyz.shading
 
-import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
 
 /**
  * Applies exposure and a tone curve to a colour (contract rule 6.11). Immutable and thread safe.
  *
- * Sources: K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2016, for [ToneCurve.ACES]; Khronos Group, "PBR Neutral Tone
- * Mapper Specification", 2024, for [ToneCurve.NEUTRAL].
+ * Sources: K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2016, for [ToneMapping.Curve.ACES]; Khronos Group, "PBR
+ * Neutral Tone Mapper Specification", 2024, for [ToneMapping.Curve.NEUTRAL].
  */
-internal class ToneMapper private constructor(private val curve: ToneCurve, private val factor: Float) {
+internal class ToneMapper private constructor(private val curve: ToneMapping.Curve, private val factor: Float) {
     /** Replaces red, green and blue, in 0..2 of [color]. */
     fun apply(color: FloatArray) {
         for (channel in 0 until 3) color[channel] *= factor
         when (curve) {
-            ToneCurve.NONE -> Unit
-            ToneCurve.ACES -> for (channel in 0 until 3) color[channel] = film(color[channel])
-            ToneCurve.NEUTRAL -> neutral(color)
+            ToneMapping.Curve.NONE -> Unit
+            ToneMapping.Curve.ACES -> for (channel in 0 until 3) color[channel] = film(color[channel])
+            ToneMapping.Curve.NEUTRAL -> neutral(color)
         }
     }
 

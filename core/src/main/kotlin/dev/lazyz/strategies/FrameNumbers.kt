@@ -3,7 +3,7 @@ package dev.lazyz.strategies
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Region
-import dev.lazyz.Spans
+import dev.lazyz.spi.Spans
 
 /**
  * The properties of a frame that determine a strategy's time and memory and are cheap to obtain. Immutable.
@@ -74,7 +74,7 @@ internal class FrameNumbers @JvmOverloads constructor(
     private class Tally(private val region: Region) {
         var rows = 0.0
         var fragments = 0.0
-        private val spans = Spans(region)
+        private val spans = region.spans()
 
         fun add(primitive: Primitive) {
             val start = maxOf(primitive.rowStart, region.rowStart)

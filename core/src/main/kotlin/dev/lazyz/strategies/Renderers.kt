@@ -4,16 +4,16 @@ import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
-import dev.lazyz.strategies.flow.FlowPipeline
-import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
-import dev.lazyz.strategies.hybrid.Hybrid
-import dev.lazyz.strategies.lazy.LazyZBuffer
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.painter.Painter
-import dev.lazyz.strategies.scanline.ScanLine
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.warnock.Warnock
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.flow.FlowRenderer
+import dev.lazyz.strategies.hierarchical.HierarchicalRenderer
+import dev.lazyz.strategies.hybrid.HybridRenderer
+import dev.lazyz.strategies.lazy.LazyRenderer
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.painter.PainterRenderer
+import dev.lazyz.strategies.scanline.ScanlineRenderer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.warnock.WarnockRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.util.ServiceLoader
 
 /**
@@ -30,16 +30,16 @@ public object Renderers {
      */
     @JvmStatic
     public val builtIn: List<Renderer> = listOf(
-        Tiled(),
-        ZBuffer(),
-        Hybrid(),
-        LazyZBuffer(),
-        FlowPipeline(),
-        Lists(),
-        ScanLine(),
-        Painter(),
-        Warnock(),
-        HierarchicalZBuffer(),
+        TiledRenderer(),
+        ZBufferRenderer(),
+        HybridRenderer(),
+        LazyRenderer(),
+        FlowRenderer(),
+        ListsRenderer(),
+        ScanlineRenderer(),
+        PainterRenderer(),
+        WarnockRenderer(),
+        HierarchicalRenderer(),
     )
 
     /**

@@ -6,24 +6,6 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 
 /**
- * The expected time and memory of one renderer for a frame. Immutable.
- *
- * @property renderer the renderer, configured with the requested options
- * @property milliseconds time of set-up and rendering in a warm JVM, or NaN if the renderer was never measured
- * @property bytes peak memory, excluding scene and picture, or NaN if the renderer was never measured
- * @property ruledOut why the renderer cannot be chosen, or null if it can
- */
-public class StrategyEstimate internal constructor(
-    public val renderer: Renderer,
-    public val milliseconds: Double,
-    public val bytes: Double,
-    public val ruledOut: String?,
-) {
-    override fun toString(): String =
-        "StrategyEstimate(${renderer.id}, $milliseconds ms, $bytes bytes, ruledOut=$ruledOut)"
-}
-
-/**
  * The expected time and memory of all renderers for a frame, see [Renderers.estimates]. Immutable.
  *
  * @property threads the requested number of threads
@@ -35,15 +17,15 @@ public class StrategyEstimates private constructor(
     internal val numbers: FrameNumbers,
     public val threads: Int,
     public val memory: Long,
-    public val all: List<StrategyEstimate>,
-    private val usual: StrategyEstimate?,
+    public val all: List<StrategyEstimates.Estimate>,
+    private val usual: StrategyEstimates.Estimate?,
 ) {
     /**
      * The renderer to choose, or null if all are ruled out. This is the first in the order of [Renderers.all] that is
      * not ruled out, unless the fastest is expected to be more than [MARGIN] times as fast; then it is the
      * fastest.
      */
-    public val best: StrategyEstimate?
+    public val best: StrategyEstimates.Estimate?
         get() {
             if (usual == null) return null
             val fastest = all.first()
@@ -69,6 +51,24 @@ public class StrategyEstimates private constructor(
     }
 
     override fun toString(): String = "StrategyEstimates(best=${best?.renderer?.id}, $numbers)"
+
+    /**
+     * The expected time and memory of one renderer for a frame. Immutable.
+     *
+     * @property renderer the renderer, configured with the requested options
+     * @property milliseconds time of set-up and rendering in a warm JVM, or NaN if the renderer was never measured
+     * @property bytes peak memory, excluding scene and picture, or NaN if the renderer was never measured
+     * @property ruledOut why the renderer cannot be chosen, or null if it can
+     */
+    public class Estimate internal constructor(
+        public val renderer: Renderer,
+        public val milliseconds: Double,
+        public val bytes: Double,
+        public val ruledOut: String?,
+    ) {
+        override fun toString(): String =
+            "Estimate(${renderer.id}, $milliseconds ms, $bytes bytes, ruledOut=$ruledOut)"
+    }
 
     public companion object {
         /**
@@ -103,7 +103,7 @@ public class StrategyEstimates private constructor(
             options: RenderOptions,
             needs: Set<Capability>,
             memory: Long,
-        ): StrategyEstimate {
+        ): StrategyEstimates.Estimate {
             val missing = needs.sorted() - renderer.capabilities
             val bytes = StrategyMemory.expected(renderer.id, numbers, options.memoryBudget)
             val ruledOut = when {
@@ -112,7 +112,7 @@ public class StrategyEstimates private constructor(
                 else -> null
             }
             val time = StrategyModel.milliseconds(renderer.id, numbers, options.threads)
-            return StrategyEstimate(renderer, time, bytes, ruledOut)
+            return StrategyEstimates.Estimate(renderer, time, bytes, ruledOut)
         }
 
         /** Returns an amount of memory as text. */

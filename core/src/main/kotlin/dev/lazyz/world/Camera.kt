@@ -3,6 +3,7 @@ package dev.lazyz.world
 import dev.lazyz.geometry.Transforms
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
+import dev.lazyz.world.FittedViewpoint.Fit
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -127,12 +128,12 @@ public class Camera private constructor(
      * [Projection.Screen] it is pixels, and the fraction of the distance from near to far; x and y are then multiplied
      * by 1 and summed with 0, so they are not rounded.
      */
-    internal fun setUpMatrix(aspect: Double): SetUpMatrix {
+    internal fun clipMatrix(aspect: Double): ClipMatrix {
         if (projection != Projection.Screen) {
-            return SetUpMatrix(Transforms.product(projectionElements(aspect), viewElements()))
+            return ClipMatrix(Transforms.product(projectionElements(aspect), viewElements()))
         }
         val depth = far - near
-        return SetUpMatrix(
+        return ClipMatrix(
             doubleArrayOf(
                 1.0, 0.0, 0.0, 0.0,
                 0.0, 1.0, 0.0, 0.0,
@@ -250,7 +251,7 @@ public class Camera private constructor(
          * downward from the upper left corner of the raster (the sample of pixel (0, 0) is at (0.5, 0.5)). z is depth,
          * which increases away from the viewer. Positions are snapped directly, without a preceding product or sum.
          *
-         * With the default planes, z is the fraction of the range of depths, as in [FrameBuilder], and polygons give
+         * With the default planes, z is the fraction of the range of depths, as in `FrameBuilder`, and polygons give
          * the same bits. But what is in front of the near plane, behind the far plane or outside the guard band is
          * clipped. Spheres need planes in pixels, for example -100 and 100.
          *

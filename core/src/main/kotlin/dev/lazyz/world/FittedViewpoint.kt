@@ -134,6 +134,15 @@ public class FittedViewpoint internal constructor(
     override fun toString(): String = "FittedViewpoint(azimuth=$azimuth, elevation=$elevation, zoom=$zoom, $kind, " +
         "margin=$margin, fieldOfView=$fieldOfView)"
 
+    /** The projection of a fitted camera, see [Camera.fit]. */
+    public enum class Fit {
+        /** Perspective. */
+        PERSPECTIVE,
+
+        /** Orthographic. */
+        ORTHOGRAPHIC,
+    }
+
     public companion object {
         /**
          * Returns a rule that shows the whole scene from the side from which [viewpoint] shows it, with the same kind
@@ -156,15 +165,6 @@ public class FittedViewpoint internal constructor(
         /** Horizontal part of the direction below which the y axis does not say reliably what is up in the image. */
         private const val POLE = 1e-5
     }
-}
-
-/** The projection of a fitted camera, see [Camera.fit]. */
-public enum class Fit {
-    /** Perspective. */
-    PERSPECTIVE,
-
-    /** Orthographic. */
-    ORTHOGRAPHIC,
 }
 
 /**

@@ -1,7 +1,6 @@
 package dev.lazyz.world
 
 import dev.lazyz.Checkpoint
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.OwnCheckpoint
 import dev.lazyz.Primitive
@@ -12,6 +11,7 @@ import dev.lazyz.Workers
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
+import dev.lazyz.spi.Fragment
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.surface.SetUp
@@ -35,8 +35,8 @@ import org.joml.Vector3dc
  * @property background colour of samples that no surface covers
  * @property environment what materials with [MetallicRoughness] reflect besides the [lights]; null means
  *   [Environment.USUAL], and [Environment.FAINT] for a scene with lights: metals with nothing to reflect would be black
- * @property toneMapping exposure and tone curve; null means [ToneCurve.NEUTRAL] for a scene with a material with
- *   [MetallicRoughness], and otherwise [ToneMapping.NONE]
+ * @property toneMapping exposure and tone curve; null means [ToneMapping.Curve.NEUTRAL] for a scene with a material
+ *   with [MetallicRoughness], and otherwise [ToneMapping.NONE]
  * @property ambientVisibility which part of ambient light and of the [environment] reaches a point; null for all of it
  * @property lightIntensity factor of all [lights], default lights included, and of the [environment]; 0 or more
  */
@@ -108,7 +108,7 @@ public class Scene private constructor(
     /** The [toneMapping], or the default one for this scene if it is null. */
     public val effectiveToneMapping: ToneMapping
         get() = toneMapping ?: when {
-            surfaces.any { it.material?.isPhysical == true } -> ToneMapping(ToneCurve.NEUTRAL)
+            surfaces.any { it.material?.isPhysical == true } -> ToneMapping(ToneMapping.Curve.NEUTRAL)
             else -> ToneMapping.NONE
         }
 
@@ -183,7 +183,7 @@ public class Scene private constructor(
     public fun frame(raster: Raster, options: RenderOptions = RenderOptions()): Frame =
         OwnCheckpoint().use { checkpoint ->
             val setUp = setUp(raster, options.workers, checkpoint)
-            Frame(raster, FrameAssembly(surfaces, setUp).content(), raster.region)
+            Frame(raster, SceneContent(surfaces, setUp).content(), raster.region)
         }
 
     /**

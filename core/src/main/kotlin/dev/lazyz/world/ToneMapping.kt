@@ -1,17 +1,5 @@
 package dev.lazyz.world
 
-/** How light that exceeds what a screen can show is compressed. */
-public enum class ToneCurve {
-    /** No compression: components above 1 are clamped when the colour is packed. */
-    NONE,
-
-    /** A film-like curve for each component: dark colours become darker, bright ones approach white. */
-    ACES,
-
-    /** The Khronos PBR Neutral tone mapper: keeps colours, and compresses only what is almost white or brighter. */
-    NEUTRAL,
-}
-
 /**
  * Exposure and tone mapping: converts the light of a surface to what the picture shows (contract rule 6.11). Applied to
  * the colours of built-in shading, before blending; not to the background and not to the colours of custom shaders.
@@ -22,7 +10,7 @@ public enum class ToneCurve {
  * @throws IllegalArgumentException if [exposure] is out of range
  */
 public class ToneMapping @JvmOverloads constructor(
-    public val curve: ToneCurve = ToneCurve.NONE,
+    public val curve: ToneMapping.Curve = ToneMapping.Curve.NONE,
     public val exposure: Double = 0.0,
 ) {
     init {
@@ -35,6 +23,18 @@ public class ToneMapping @JvmOverloads constructor(
     override fun hashCode(): Int = curve.hashCode() * 31 + exposure.hashCode()
 
     override fun toString(): String = "ToneMapping($curve, $exposure EV)"
+
+    /** How light that exceeds what a screen can show is compressed. */
+    public enum class Curve {
+        /** No compression: components above 1 are clamped when the colour is packed. */
+        NONE,
+
+        /** A film-like curve for each component: dark colours become darker, bright ones approach white. */
+        ACES,
+
+        /** The Khronos PBR Neutral tone mapper: keeps colours, and compresses only what is almost white or brighter. */
+        NEUTRAL,
+    }
 
     public companion object {
         /** The largest [exposure]; its opposite is the smallest. */

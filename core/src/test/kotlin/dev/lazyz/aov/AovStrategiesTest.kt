@@ -10,17 +10,17 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.SampleScenes
 import dev.lazyz.Selector
-import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.SampledFrame
-import dev.lazyz.filter.ShadingRate
 import dev.lazyz.filter.SuperSampling
+import dev.lazyz.filter.SuperSampling.PixelFilter
+import dev.lazyz.filter.SuperSampling.ShadingRate
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
@@ -56,9 +56,9 @@ class AovStrategiesTest {
     fun allRenderersThreadsAndRegionsGiveTheSameBits() {
         for (frame in frames()) {
             val expected = AovFrame(frame, ofScene).render(
-                ZBuffer().takeUnless {
+                ZBufferRenderer().takeUnless {
                     frame.frame.hasTranslucency
-                } ?: Lists()
+                } ?: ListsRenderer()
             )
             assertTrue(expected[Aov.OBJECT].ints.any { it >= 0 }) { "$frame" }
             for (renderer in renderers(frame)) {
@@ -91,9 +91,9 @@ class AovStrategiesTest {
     fun theyAreThoseOfThePixelsNearestSample() {
         val factor = 4
         val samples = SuperSampling(factor).frame(opaque, raster)
-        val aovs = AovFrame(samples, ofScene).render(Tiled())
-        val single = AovFrame(SuperSampling.NONE.of(samples.frame), ofScene).render(Tiled())
-        val image = Tiled().render(samples.frame)
+        val aovs = AovFrame(samples, ofScene).render(TiledRenderer())
+        val single = AovFrame(SuperSampling.NONE.of(samples.frame), ofScene).render(TiledRenderer())
+        val image = TiledRenderer().render(samples.frame)
         for (y in 0 until raster.height) {
             for (x in 0 until raster.width) {
                 val own = (0 until factor * factor).map { Pair(x * factor + it % factor, y * factor + it / factor) }
@@ -129,7 +129,8 @@ class AovStrategiesTest {
     fun theSelectedSurfaceCounts() {
         val frame = SuperSampling.NONE.frame(opaque, raster)
         fun depth(selector: Selector?) =
-            AovFrame(frame, setOf(Aov.DEPTH)).render(Lists().configured(RenderOptions(selector = selector)))[Aov.DEPTH]
+            AovFrame(frame, setOf(Aov.DEPTH))
+                .render(ListsRenderer().configured(RenderOptions(selector = selector)))[Aov.DEPTH]
         val nearest = depth(null)
         assertEquals(nearest, depth(Selector.nearest()))
         assertTrue(depth(Selector.farthest()).floats.zip(nearest.floats.toList()).all { (far, near) -> far >= near })
@@ -140,10 +141,10 @@ class AovStrategiesTest {
     fun partsOfAFrameKnowTheirScene() {
         val frame = opaque.frame(raster)
         val kept = AovFrame(SuperSampling.NONE.of(frame.keeping { it >= 60 }), setOf(Aov.OBJECT, Aov.DEPTH))
-        val aovs = kept.render(Tiled())
+        val aovs = kept.render(TiledRenderer())
         assertTrue(aovs[Aov.OBJECT].ints.all { it == -1 || it >= 3 })
         assertTrue(aovs[Aov.DEPTH].floats.all { it >= 1f })
         val screen = AovFrame(SuperSampling.NONE.of(Frame(raster, frame.primitives)), setOf(Aov.OBJECT))
-        assertTrue(screen.render(Tiled())[Aov.OBJECT].ints.all { it <= 0 })
+        assertTrue(screen.render(TiledRenderer())[Aov.OBJECT].ints.all { it <= 0 })
     }
 }

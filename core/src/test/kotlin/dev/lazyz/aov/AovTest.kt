@@ -1,31 +1,32 @@
 package dev.lazyz.aov
 
 import dev.lazyz.Depth
-import dev.lazyz.DepthConvention
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Region
 import dev.lazyz.Rgba
-import dev.lazyz.Spans
+import dev.lazyz.aov.AovFrame.AovImages
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.UpAxis
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
+import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Camera
-import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.io.IOException
 import kotlin.math.abs
 import kotlin.math.sqrt
@@ -51,7 +52,8 @@ class AovTest {
     private fun sampled(surfaces: List<Surface>, camera: Camera = this.camera, raster: Raster = this.raster) =
         SuperSampling.NONE.of(Scene(surfaces, viewpoint = camera).frame(raster))
 
-    private fun render(frame: SampledFrame, vararg aovs: Aov): AovImages = AovFrame(frame, aovs.toSet()).render(Tiled())
+    private fun render(frame: SampledFrame, vararg aovs: Aov): AovImages =
+        AovFrame(frame, aovs.toSet()).render(TiledRenderer())
 
     private fun vector(image: AovImage, x: Int, y: Int) =
         Vector3d(image.number(x, y, 0), image.number(x, y, 1), image.number(x, y, 2))
@@ -300,7 +302,7 @@ class AovTest {
 
         // Without AOVs there is nothing to keep
         val rows = assertThrows(IOException::class.java) {
-            AovFrame(huge, emptySet()).render(Tiled()) { y, _, _, _ -> throw IOException("row $y") }
+            AovFrame(huge, emptySet()).render(TiledRenderer()) { y, _, _, _ -> throw IOException("row $y") }
         }
         assertEquals("row 0", rows.message)
     }

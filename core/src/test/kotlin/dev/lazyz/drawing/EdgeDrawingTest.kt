@@ -3,23 +3,25 @@ package dev.lazyz.drawing
 import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
+import dev.lazyz.drawing.EdgeStyle.EdgeSet
+import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.Transforms
 import dev.lazyz.shared.ProcessorTime
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Fit
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import org.joml.Matrix4d
 import org.joml.Vector3d
@@ -39,7 +41,7 @@ class EdgeDrawingTest {
     )
 
     private fun render(surfaces: List<Surface>, style: EdgeStyle, camera: Camera = front, side: Int = 100): Image =
-        ZBuffer().render(style.drawnOn(Scene(surfaces, viewpoint = camera)).frame(side, side))
+        ZBufferRenderer().render(style.drawnOn(Scene(surfaces, viewpoint = camera)).frame(side, side))
 
     private fun Image.isBlack(x: Int, y: Int) = argb[y * width + x] == Rgba.BLACK.toArgb()
 
@@ -62,7 +64,7 @@ class EdgeDrawingTest {
         for (hidden in HiddenLines.entries) {
             val (both, front) = Sides.entries.map { sides ->
                 val scene = Scene(listOf(Solids.cube(plain.withSides(sides))), viewpoint = camera)
-                ZBuffer().render(EdgeStyle(hidden = hidden).drawnOn(scene).frame(100, 100))
+                ZBufferRenderer().render(EdgeStyle(hidden = hidden).drawnOn(scene).frame(100, 100))
             }
             assertArrayEquals(both.argb, front.argb) { "$hidden" }
         }
@@ -319,7 +321,7 @@ class EdgeDrawingTest {
     fun rule_10_3_widthsAreThoseOfPixelsWhateverTheSampling() {
         val scene = EdgeStyle(width = 4.0).drawnOn(Scene(listOf(square(-1f, -1f, 1f, 1f, 0f)), viewpoint = front))
         for (factor in listOf(1, 4)) {
-            val image = SuperSampling(factor).frame(scene, Raster(100, 100)).render(ZBuffer())
+            val image = SuperSampling(factor).frame(scene, Raster(100, 100)).render(ZBufferRenderer())
             assertEquals(listOf(23..26, 73..76), image.blackColumns(50))
         }
     }

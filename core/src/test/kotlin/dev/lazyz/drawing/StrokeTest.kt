@@ -2,8 +2,8 @@ package dev.lazyz.drawing
 
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.Spans
 import dev.lazyz.raster.Edge
+import dev.lazyz.spi.Spans
 import java.util.Random
 import kotlin.math.abs
 import kotlin.math.ceil

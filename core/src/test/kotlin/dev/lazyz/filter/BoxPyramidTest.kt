@@ -1,7 +1,7 @@
 package dev.lazyz.filter
 
 import dev.lazyz.Raster
-import dev.lazyz.Srgb
+import dev.lazyz.spi.Srgb
 import java.math.BigDecimal
 import java.math.BigInteger
 import java.math.MathContext

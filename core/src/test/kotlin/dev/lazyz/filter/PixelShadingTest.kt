@@ -1,24 +1,26 @@
 package dev.lazyz.filter
 
-import dev.lazyz.BatchShader
 import dev.lazyz.Counters
-import dev.lazyz.FragmentBatch
 import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RowSink
-import dev.lazyz.Shader
+import dev.lazyz.filter.SuperSampling.PixelFilter
+import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.spi.BatchShader
+import dev.lazyz.spi.FragmentBatch
+import dev.lazyz.spi.Shader
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.MipFilter
-import dev.lazyz.world.material.Shading
 import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
@@ -65,9 +67,9 @@ class PixelShadingTest {
     @Test
     fun rule_6_12_texturesHaveNoMoreErrorThanWithOneSampleAPixel() {
         for (surface in listOf(floor(chequers(MipFilter.ANISOTROPIC)), ball(chequers(MipFilter.TRILINEAR)))) {
-            val truth = SuperSampling(16).frame(scene(surface), raster).render(Tiled()).argb
+            val truth = SuperSampling(16).frame(scene(surface), raster).render(TiledRenderer()).argb
             fun error(sampling: SuperSampling): Double {
-                val argb = sampling.frame(scene(surface), raster).render(Tiled()).argb
+                val argb = sampling.frame(scene(surface), raster).render(TiledRenderer()).argb
                 return sqrt(argb.indices.sumOf { square((argb[it] and 0xFF) - (truth[it] and 0xFF)) }.toDouble())
             }
             val once = error(SuperSampling(4, rate = ShadingRate.PIXEL))
@@ -81,7 +83,7 @@ class PixelShadingTest {
         for (alpha in listOf(0f, 1f)) {
             val white = Material(shader = { it.setColor(1f, 1f, 1f, alpha) })
             val wall = Mesh(floatArrayOf(-9f, -9f, 0f, 9f, -9f, 0f, 0f, 9f, 0f), intArrayOf(0, 1, 2), white)
-            val image = SuperSampling(4, rate = ShadingRate.PIXEL).frame(scene(wall), raster).render(ZBuffer())
+            val image = SuperSampling(4, rate = ShadingRate.PIXEL).frame(scene(wall), raster).render(ZBufferRenderer())
             assertEquals((raster.width * raster.height).toLong(), image.counters.shadingCalls, "alpha $alpha")
         }
     }
@@ -107,7 +109,7 @@ class PixelShadingTest {
                 val (sample, pixel, plain) = List(3) { Derivatives() }
                 fun render(shader: Shader, rate: ShadingRate) {
                     val shown = scene(surface(chequers(MipFilter.TRILINEAR, shader)))
-                    SuperSampling(factor, rate = rate).frame(shown, raster).render(Tiled())
+                    SuperSampling(factor, rate = rate).frame(shown, raster).render(TiledRenderer())
                 }
                 render(sample, ShadingRate.SAMPLE)
                 render(pixel, ShadingRate.PIXEL)
@@ -128,7 +130,7 @@ class PixelShadingTest {
     fun rule_6_12_allRenderersReadTexturesOnceAPixelInTheSameWay() {
         val scene = scene(floor(chequers(MipFilter.ANISOTROPIC)), ball(chequers(MipFilter.TRILINEAR)))
         val frame = SuperSampling(3, rate = ShadingRate.PIXEL).frame(scene, raster)
-        val expected = frame.render(ZBuffer())
+        val expected = frame.render(ZBufferRenderer())
         val region = Region(7, 9, 40, 31)
         for (renderer in Renderers.builtIn) {
             assertEquals(expected, frame.render(renderer)) { renderer.id }
@@ -184,10 +186,11 @@ class PixelShadingTest {
                 val samples = SuperSampling(factor, filter).frame(mixture(), pixels).frame
                 val taps = FilterTaps(filter, factor)
                 val collector = Image.Collector(actual.pixels)
-                withMiddleColors(ZBuffer().render(samples), factor, FilterSink(taps, samples, actual.pixels, collector))
+                val sink = FilterSink(taps, samples, actual.pixels, collector)
+                withMiddleColors(ZBufferRenderer().render(samples), factor, sink)
                 val expected = collector.toImage(Counters.NONE)
                 assertTrue(expected.primitive.toSet().size > pixels.height)
-                assertEquals(expected, actual.render(Tiled())) { "$factor, $filter" }
+                assertEquals(expected, actual.render(TiledRenderer())) { "$factor, $filter" }
             }
         }
     }

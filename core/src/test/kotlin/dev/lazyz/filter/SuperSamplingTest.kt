@@ -8,12 +8,14 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
-import dev.lazyz.Srgb
+import dev.lazyz.filter.SuperSampling.PixelFilter
+import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.spi.Srgb
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
-import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Lines
@@ -163,7 +165,7 @@ class SuperSamplingTest {
     fun rule_6_12_allRenderersGiveTheSamePixelsAlsoInRegions() {
         for (sampling in samplings()) {
             val frame = sampling.frame(scene, raster)
-            val expected = frame.render(ZBuffer())
+            val expected = frame.render(ZBufferRenderer())
             assertEquals(raster.region, expected.region)
             for (renderer in Renderers.builtIn) {
                 assertEquals(expected, frame.render(renderer)) { "${renderer.id}, $sampling" }
@@ -236,7 +238,7 @@ class SuperSamplingTest {
 
     @Test
     fun aPrimitiveIsShadedOnceInEachOfItsPixels() {
-        val perSample = SuperSampling(4).frame(scene, raster).render(Tiled())
+        val perSample = SuperSampling(4).frame(scene, raster).render(TiledRenderer())
         for (renderer in Renderers.builtIn) {
             val frame = SuperSampling(4, rate = ShadingRate.PIXEL).frame(scene, raster)
             val image = frame.render(renderer)
@@ -248,7 +250,7 @@ class SuperSamplingTest {
     }
 
     private fun primitivesInPixels(frame: Frame, factor: Int): Long {
-        val image = ZBuffer().render(frame)
+        val image = ZBufferRenderer().render(frame)
         val seen = HashSet<Triple<Int, Int, Int>>()
         for (y in 0 until image.height) {
             for (x in 0 until image.width) seen.add(Triple(x / factor, y / factor, image.primitive(x, y)))
@@ -262,8 +264,11 @@ class SuperSamplingTest {
             Rgba(1f, 1f, 1f, 0.5f), doubleArrayOf(0.0, 0.0, 0.5, 4.0, 4.0, 0.5, 0.0, 4.0, 0.5),
         ).build()
         val frame = SuperSampling(2, rate = ShadingRate.PIXEL).of(glass)
-        assertThrows(IllegalArgumentException::class.java) { frame.render(Tiled()) }
-        assertEquals(SuperSampling(2).of(glass.asOpaque()).render(ZBuffer()), frame.asOpaque().render(ZBuffer()))
+        assertThrows(IllegalArgumentException::class.java) { frame.render(TiledRenderer()) }
+        assertEquals(
+            SuperSampling(2).of(glass.asOpaque()).render(ZBufferRenderer()),
+            frame.asOpaque().render(ZBufferRenderer()),
+        )
     }
 
     @Test
@@ -276,7 +281,7 @@ class SuperSamplingTest {
         )
         val pixels = Raster(64, 32, Rgba.TRANSPARENT)
         val areas = listOf(1, 4).map { factor ->
-            SuperSampling(factor).frame(drawn, pixels).render(ZBuffer()).argb.sumOf { it ushr 24 } / 255.0
+            SuperSampling(factor).frame(drawn, pixels).render(ZBufferRenderer()).argb.sumOf { it ushr 24 } / 255.0
         }
         assertEquals(areas[0], areas[1], 0.06 * areas[0])
     }
@@ -298,6 +303,6 @@ class SuperSamplingTest {
         assertThrows(IllegalArgumentException::class.java) { SuperSampling(4).frame(wide, raster) }
         for (refused in listOf(onScreen, wide)) assertNotNull(SuperSampling(4).obstacle(refused, raster))
         assertNull(SuperSampling(2).obstacle(wide, raster))
-        assertArrayEquals(IntArray(1200), SuperSampling.NONE.frame(onScreen, raster).render(ZBuffer()).argb)
+        assertArrayEquals(IntArray(1200), SuperSampling.NONE.frame(onScreen, raster).render(ZBufferRenderer()).argb)
     }
 }

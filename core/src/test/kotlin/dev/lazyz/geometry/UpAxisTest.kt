@@ -1,7 +1,7 @@
 package dev.lazyz.geometry
 
 import dev.lazyz.Rgba
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
@@ -10,10 +10,10 @@ import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -83,7 +83,7 @@ class UpAxisTest {
         )) {
             val scene = Scene(listOf(ball, small), lights, camera)
             val upright = scene.withUpAxis(UpAxis.Z)
-            assertEquals(ZBuffer().render(scene.frame(60, 60)), ZBuffer().render(upright.frame(60, 60)))
+            assertEquals(ZBufferRenderer().render(scene.frame(60, 60)), ZBufferRenderer().render(upright.frame(60, 60)))
         }
     }
 

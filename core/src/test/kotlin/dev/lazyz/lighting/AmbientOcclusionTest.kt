@@ -3,19 +3,19 @@ package dev.lazyz.lighting
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
-import dev.lazyz.drawing.EdgeSet
 import dev.lazyz.drawing.EdgeStyle
+import dev.lazyz.drawing.EdgeStyle.EdgeSet
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
-import dev.lazyz.world.Fit
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Sphere
@@ -166,9 +166,9 @@ class AmbientOcclusionTest {
         val shadow = GroundShadow.of(lit)
         val camera = shadow.camera(lit.camera(60, 45))
         val frame = lit.withSurfaces(lit.surfaces + shadow).withViewpoint(camera).frame(60, 45)
-        val expected = ZBuffer().render(frame)
+        val expected = ZBufferRenderer().render(frame)
         for (renderer in Renderers.builtIn) assertEquals(expected, renderer.render(frame)) { renderer.id }
-        assertNotEquals(expected, ZBuffer().render(lit.withAmbientVisibility(null).frame(60, 45)))
+        assertNotEquals(expected, ZBufferRenderer().render(lit.withAmbientVisibility(null).frame(60, 45)))
     }
 
     /** Ambient light is multiplied by the visibility; other light is not. */
@@ -208,7 +208,7 @@ class AmbientOcclusionTest {
         assertTrue(abs(factor(0.9f, 0.5f) - formula) < 0.03) { "$formula" }
     }
 
-    private fun color(frame: Frame): Int = ZBuffer().render(frame).argb(4, 4)
+    private fun color(frame: Frame): Int = ZBufferRenderer().render(frame).argb(4, 4)
 
     @Test
     fun whatCannotBeComputedIsRefused() {
@@ -238,7 +238,7 @@ class AmbientOcclusionTest {
         val shadow = GroundShadow.of(large)
         for (kind in Fit.entries) {
             val camera = shadow.camera(Camera.fit(kind = kind).camera(large, 1.0))
-            val image = ZBuffer().render(Scene(large.surfaces + shadow, viewpoint = camera).frame(20, 20))
+            val image = ZBufferRenderer().render(Scene(large.surfaces + shadow, viewpoint = camera).frame(20, 20))
             assertTrue(image.primitive.indices.any { image.primitive[it] >= 1 && image.argb[it] and 0xFF < 250 })
         }
     }
@@ -253,7 +253,7 @@ class AmbientOcclusionTest {
             assertTrue(seen in 0f..1f) { "$surface: $seen" }
             val shadow = GroundShadow.of(scene)
             val camera = shadow.camera(scene.camera(20, 20))
-            ZBuffer().render(scene.withSurfaces(listOf(surface, shadow)).withViewpoint(camera).frame(20, 20))
+            ZBufferRenderer().render(scene.withSurfaces(listOf(surface, shadow)).withViewpoint(camera).frame(20, 20))
         }
     }
 

@@ -4,9 +4,9 @@ import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.filter.SuperSampling
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Fit
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Sphere
@@ -20,7 +20,7 @@ class GroundShadowTest {
     private fun picture(scene: Scene, viewpoint: Camera, background: Rgba, strength: Float = 0.6f): Image {
         val shadow = shadow(scene, strength)
         val all = scene.withSurfaces(scene.surfaces + shadow).withViewpoint(shadow.camera(viewpoint))
-        return ZBuffer().render(all.frame(Raster(80, 60, background)))
+        return ZBufferRenderer().render(all.frame(Raster(80, 60, background)))
     }
 
     private val fromAbove = Camera.fit(0.0, 30.0, zoom = 0.6).camera(scene, 80.0 / 60.0)
@@ -76,7 +76,7 @@ class GroundShadowTest {
     @Test
     fun theSceneItselfStaysAsItIs() {
         val with = picture(scene, fromAbove, Rgba.WHITE)
-        val without = ZBuffer().render(scene.withViewpoint(fromAbove).frame(80, 60))
+        val without = ZBufferRenderer().render(scene.withViewpoint(fromAbove).frame(80, 60))
         for (i in without.argb.indices) if (without.primitive[i] >= 0) assertEquals(without.argb[i], with.argb[i])
         assertEquals(without.primitive.count { it >= 0 }, with.primitive.count { it in 0..1 })
     }
@@ -95,7 +95,7 @@ class GroundShadowTest {
             for ((elevation, zoom) in listOf(12.0 to 1.0, 40.0 to 1.0, 60.0 to 1.0, 40.0 to 1.4)) {
                 val viewpoint = Camera.fit(0.0, elevation, zoom, kind, margin = 12.0).camera(low, 80.0 / 60.0)
                 val all = low.withSurfaces(low.surfaces + shadow).withViewpoint(shadow.camera(viewpoint))
-                val image = SuperSampling(2).frame(all, Raster(160, 120, Rgba.WHITE)).render(ZBuffer())
+                val image = SuperSampling(2).frame(all, Raster(160, 120, Rgba.WHITE)).render(ZBufferRenderer())
                 fun code(x: Int, y: Int) = if (image.primitive(x, y) == 0) 0xFF else image.argb(x, y) and 0xFF
                 val where = "$kind, elevation $elevation, zoom $zoom"
                 val darkest = image.argb.indices.filter { image.primitive[it] > 0 }.minOf { image.argb[it] and 0xFF }

@@ -3,11 +3,10 @@ package dev.lazyz.lighting
 import dev.lazyz.Rgba
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureFilter
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
 import kotlin.math.sqrt
@@ -54,7 +53,7 @@ class LightMeterTest {
     fun texturesAndVertexColoursAreMultiplied() {
         // Left half black, right half white: the middles of the triangles are at u = 2/3 and 1/3
         val texels = IntArray(64) { if (it % 8 < 4) 0xFF shl 24 else -1 }
-        val texture = Texture(8, 8, texels, TextureFilter.NEAREST)
+        val texture = Texture(8, 8, texels, Texture.Filter.NEAREST)
         assertEquals(expected(0.05), intensity(square(Material(grey(0.1f), texture))), 1e-5f)
         val moved = TextureMap(texture, transform = UvTransform(offsetU = 0.5))
         assertEquals(expected(0.05), intensity(square(Material(grey(0.1f)).withTextureMap(moved))), 1e-5f)

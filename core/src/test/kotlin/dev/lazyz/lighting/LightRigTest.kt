@@ -2,15 +2,15 @@ package dev.lazyz.lighting
 
 import dev.lazyz.Image
 import dev.lazyz.Rgba
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.Shading
 import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -24,7 +24,7 @@ class LightRigTest {
 
     private fun picture(scene: Scene, rig: LightRig? = null): Image {
         val camera = scene.camera(61, 61)
-        return ZBuffer().render((rig?.on(scene, camera) ?: scene).frame(61, 61))
+        return ZBufferRenderer().render((rig?.on(scene, camera) ?: scene).frame(61, 61))
     }
 
     private fun visible(image: Image) = image.argb.indices.filter { image.primitive[it] >= 0 }.map { image.argb[it] }

@@ -1,15 +1,13 @@
 package dev.lazyz.lighting
 
-import dev.lazyz.Fragment
 import dev.lazyz.Image
 import dev.lazyz.Rgba
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Fragment
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureFilter
-import dev.lazyz.world.material.TextureWrap
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
 import java.util.Random
@@ -30,12 +28,12 @@ class MatcapTest {
             val blue = if (isInside) 0 else 255
             (0xFF shl 24) or ((u * 255).toInt() shl 16) or (((1 - v) * 255).toInt() shl 8) or blue
         }
-        Texture(SIDE, SIDE, texels, TextureFilter.BILINEAR, TextureWrap.CLAMP, TextureWrap.CLAMP)
+        Texture(SIDE, SIDE, texels, Texture.Filter.BILINEAR, Texture.Wrap.CLAMP, Texture.Wrap.CLAMP)
     }
 
     private fun picture(scene: Scene, camera: Camera, tint: Rgba = Rgba.WHITE): Image {
         val shader = Matcap(texture, camera, scene.origin, tint)
-        return ZBuffer().render(
+        return ZBufferRenderer().render(
             scene.withMaterials { it.withShader(shader) }.withViewpoint(camera).frame(101, 101),
         )
     }

@@ -1,11 +1,11 @@
 package dev.lazyz.pipeline
 
 import dev.lazyz.Checkpoint
-import dev.lazyz.Coherence
 import dev.lazyz.Depth
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Region
+import dev.lazyz.RenderOptions.Coherence
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -1,14 +1,14 @@
 package dev.lazyz.pipeline
 
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Spans
 import dev.lazyz.StreamingRenderer
-import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
+import dev.lazyz.strategies.hierarchical.HierarchicalRenderer
+import dev.lazyz.strategies.tiled.TiledRenderer
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
@@ -30,16 +30,16 @@ class GroupedPrimitivesTest {
         val count = frame.primitives.size
         val many = List(50_000) { frame.primitives[it * 7 % count] }
         val opaque = many.filter { !it.isTranslucent }
-        val expected = Tiled().render(Frame(frame.raster, opaque, frame.region))
-        for (renderer in listOf(Tiled(), HierarchicalZBuffer())) {
+        val expected = TiledRenderer().render(Frame(frame.raster, opaque, frame.region))
+        for (renderer in listOf(TiledRenderer(), HierarchicalRenderer())) {
             val image = streamed(renderer, frame, opaque)
             assertEquals(expected.pixelHash(), image.pixelHash(), "$renderer")
             for (x in 0 until 40) assertEquals(expected.primitive(x, 18), image.primitive(x, 18), "$renderer")
             assertEquals(opaque.size.toLong(), image.counters.primitives)
         }
         val mixed = List(2000) { frame.primitives[it * 7 % count] }
-        val blended = Tiled().render(Frame(frame.raster, mixed, frame.region))
-        assertEquals(blended.pixelHash(), streamed(Tiled(), frame, mixed).pixelHash())
+        val blended = TiledRenderer().render(Frame(frame.raster, mixed, frame.region))
+        assertEquals(blended.pixelHash(), streamed(TiledRenderer(), frame, mixed).pixelHash())
     }
 
     @Test
@@ -50,7 +50,7 @@ class GroupedPrimitivesTest {
             val (x, y) = index % 256 to index / 256
             OneSample(x, y)
         }
-        for (renderer in listOf(Tiled(), HierarchicalZBuffer())) {
+        for (renderer in listOf(TiledRenderer(), HierarchicalRenderer())) {
             val counters = streamed(renderer, Frame(raster, primitives), primitives).counters
             assertEquals(65_536, counters.fragments, "$renderer")
             assertEquals(65_536, counters.depthPasses, "$renderer")

@@ -8,10 +8,10 @@ import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.SampleScenes
 import dev.lazyz.Workers
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material.AlphaMode
 import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -52,8 +52,8 @@ class LayeredRenderingTest {
     @Test
     fun areasOfAnySizeGiveTheSamePicture() {
         assertTrue(frame.primitives.any { it.isTranslucent } && frame.primitives.any { !it.isTranslucent })
-        val expected = Tiled().render(frame)
-        val fragments = ZBuffer().render(frame.asOpaque()).counters.fragments
+        val expected = TiledRenderer().render(frame)
+        val fragments = ZBufferRenderer().render(frame.asOpaque()).counters.fragments
         for (mostBytes in listOf(1L shl 30, 100_000, 30_000, 5000, 2240, 0)) {
             for (reversed in listOf(false, true)) {
                 val image = render(mostBytes, reversed)
@@ -75,7 +75,7 @@ class LayeredRenderingTest {
         val (left, top) = 20 to 5
         for (width in 1..3) {
             val part = frame.within(Region(left, top, left + width, 30))
-            val expected = Tiled().render(part).pixelHash()
+            val expected = TiledRenderer().render(part).pixelHash()
             for (reversed in listOf(false, true)) {
                 assertEquals(expected, render(0, reversed, frame = part).pixelHash(), "$width columns, $reversed")
             }

@@ -10,7 +10,7 @@ import dev.lazyz.Reach
 import dev.lazyz.Region
 import dev.lazyz.SampleScenes
 import dev.lazyz.Workers
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import java.lang.ref.WeakReference
 import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
@@ -44,7 +44,8 @@ class StreamedRenderingTest {
 
     private fun render(parts: FrameParts, mostBytes: Long, workers: Workers = Workers.ALL): Image {
         val collector = Image.Collector(frame.region)
-        val rendering = StreamedRendering(frame, parts, workers, mostBytes) { part, sink -> Tiled().render(part, sink) }
+        val rendering =
+            StreamedRendering(frame, parts, workers, mostBytes) { part, sink -> TiledRenderer().render(part, sink) }
         val counters: Counters = rendering.run(collector)
         return collector.toImage(counters)
     }
@@ -79,7 +80,7 @@ class StreamedRenderingTest {
 
     @Test
     fun bandsOfAnyHeightGiveTheSamePicture() {
-        val expected = Tiled().render(frame)
+        val expected = TiledRenderer().render(frame)
         for (rows in listOf(0, 1, 2, 36, 37, 38)) {
             for (knowsReach in listOf(true, false)) {
                 val image = render(parts(knowsReach), 12L * 40 * rows)
@@ -123,6 +124,9 @@ class StreamedRenderingTest {
     @Test
     fun aFrameWithoutPrimitivesShowsTheBackground() {
         val empty = FrameParts(0, hasTranslucency = false) { emptyList<FramePart>().iterator() }
-        assertEquals(Tiled().render(Frame(frame.raster, emptyList())).pixelHash(), render(empty, 1000).pixelHash())
+        assertEquals(
+            TiledRenderer().render(Frame(frame.raster, emptyList())).pixelHash(),
+            render(empty, 1000).pixelHash(),
+        )
     }
 }

@@ -1,16 +1,16 @@
 package dev.lazyz.pipeline
 
 import dev.lazyz.Depth
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Rgba
-import dev.lazyz.SpanCursor
-import dev.lazyz.Spans
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.SpanCursor
+import dev.lazyz.spi.Spans
 
 /** A rectangle of samples with constant depth and colour; counts the calls. */
 internal class Pane(

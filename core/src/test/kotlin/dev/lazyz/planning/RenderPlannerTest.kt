@@ -9,19 +9,19 @@ import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.lazy.LazyZBuffer
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.lazy.LazyRenderer
+import dev.lazyz.strategies.lists.ListsRenderer
 import dev.lazyz.strategies.tiled.TiledMemory
+import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.MeshSource
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.StreamedMesh
+import dev.lazyz.world.surface.StreamedMesh.MeshSource
 import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -70,7 +70,7 @@ class RenderPlannerTest {
 
     private fun requireBound(frame: Frame, tile: Int, threads: Int) {
         val options = RenderOptions(threads = threads, tileSize = tile)
-        val peak = Tiled(options).render(frame) { _, _, _, _ -> }.peakBytes
+        val peak = TiledRenderer(options).render(frame) { _, _, _, _ -> }.peakBytes
         val need = TiledMemory(frame, tile, threads)
 
         // The counter has twice the bins, even if there is only one set of them
@@ -98,12 +98,14 @@ class RenderPlannerTest {
     fun lessMemoryMeansSmallerTilesThenOneThreadAndThenNoPlan() {
         val frame = SuperSampling(2).frame(scenes[1], Raster(8_000, 2_000))
         val options = RenderOptions(threads = 2)
-        val plans = listOf(256, 32, 18, 5).map { RenderPlanner(it * MEBIBYTE, options).plan(frame, listOf(Tiled())) }
+        val plans = listOf(256, 32, 18, 5).map {
+            RenderPlanner(it * MEBIBYTE, options).plan(frame, listOf(TiledRenderer()))
+        }
         assertEquals(listOf(true, true, true, false), plans.map { it.fits })
         assertTrue("2 threads, tiles of 64 x 64" in plans[0].summary, plans[0].summary)
         assertTrue("2 threads" in plans[1].summary && "64 x 64" !in plans[1].summary, plans[1].summary)
         assertTrue(plans[2].bytes < plans[1].bytes)
-        val enough = RenderPlanner(plans[3].leastMemory, options).plan(frame, listOf(Tiled()))
+        val enough = RenderPlanner(plans[3].leastMemory, options).plan(frame, listOf(TiledRenderer()))
         assertTrue(enough.fits, "$enough")
         assertTrue("tiles of" in enough.explain() && "reserve" in enough.explain(), enough.explain())
     }
@@ -112,14 +114,14 @@ class RenderPlannerTest {
     fun otherThingsInMemoryCount() {
         val frame = SuperSampling.NONE.frame(scenes[1], Raster(64, 64))
         val planner = RenderPlanner(64 * MEBIBYTE)
-        assertTrue(planner.plan(frame, Renderers.builtIn, listOf(MemoryItem("scene", 20 * MEBIBYTE))).fits)
-        assertFalse(planner.plan(frame, Renderers.builtIn, listOf(MemoryItem("scene", 50 * MEBIBYTE))).fits)
+        assertTrue(planner.plan(frame, Renderers.builtIn, listOf(RenderPlan.Item("scene", 20 * MEBIBYTE))).fits)
+        assertFalse(planner.plan(frame, Renderers.builtIn, listOf(RenderPlan.Item("scene", 50 * MEBIBYTE))).fits)
     }
 
     @Test
     fun aRendererThatCanLimitItsMemoryGetsABudget() {
         val frame = SuperSampling.NONE.frame(scenes[1], Raster(20_000, 200))
-        val plan = RenderPlanner(16 * MEBIBYTE).plan(frame, listOf(LazyZBuffer()))
+        val plan = RenderPlanner(16 * MEBIBYTE).plan(frame, listOf(LazyRenderer()))
         assertTrue(plan.fits, "$plan")
         assertTrue("a budget of" in plan.summary || plan.bytes < 9 * MEBIBYTE, plan.summary)
     }
@@ -131,7 +133,7 @@ class RenderPlannerTest {
         for (mesh in listOf(flat, flat.withSmoothNormals(180.0).withMaterials { it.withShading(Shading.PHONG) })) {
             val frame = scene(mesh).frame(Raster(2_000, 2_000))
             val sampled = SuperSampling.NONE.of(frame)
-            val planned = RenderPlanner(512 * MEBIBYTE).plan(sampled, listOf(Lists())).bytes
+            val planned = RenderPlanner(512 * MEBIBYTE).plan(sampled, listOf(ListsRenderer())).bytes
             val before = usedMemory()
             val objects = frame.primitives.toList()
             val taken = usedMemory() - before
@@ -191,10 +193,10 @@ class RenderPlannerTest {
         for (material in listOf(Material(), glass)) {
             val scene = Scene(listOf(StreamedMesh(streamed, material))).withViewpoint(SampleScenes.camera)
             val frame = SuperSampling.NONE.frame(scene, Raster(20_000, 20_000))
-            val least = RenderPlanner(0).plan(frame, listOf(Tiled())).leastMemory
-            val plan = RenderPlanner(least).plan(frame, listOf(Tiled()))
+            val least = RenderPlanner(0).plan(frame, listOf(TiledRenderer())).leastMemory
+            val plan = RenderPlanner(least).plan(frame, listOf(TiledRenderer()))
             assertTrue(plan.fits && plan.passes in 30..64, "$plan")
-            assertFalse(RenderPlanner(least - MEBIBYTE).plan(frame, listOf(Tiled())).fits)
+            assertFalse(RenderPlanner(least - MEBIBYTE).plan(frame, listOf(TiledRenderer())).fits)
         }
     }
 
@@ -202,8 +204,8 @@ class RenderPlannerTest {
     fun onlyWhatCanRenderTheFrameIsPlanned() {
         val frame = SuperSampling.NONE.frame(scenes[3], Raster(64, 64))
         val planner = RenderPlanner(512 * MEBIBYTE)
-        assertThrows(IllegalArgumentException::class.java) { planner.plan(frame, listOf(LazyZBuffer())) }
-        assertEquals("tiled", planner.plan(frame, listOf(LazyZBuffer(), Tiled())).renderer.id)
+        assertThrows(IllegalArgumentException::class.java) { planner.plan(frame, listOf(LazyRenderer())) }
+        assertEquals("tiled", planner.plan(frame, listOf(LazyRenderer(), TiledRenderer())).renderer.id)
         val none = assertThrows(IllegalArgumentException::class.java) { planner.plan(frame, emptyList()) }
         assertEquals("there are no renderers to choose from; pass some, as Renderers.builtIn", none.message)
         assertThrows(IllegalArgumentException::class.java) { RenderPlanner(-1) }

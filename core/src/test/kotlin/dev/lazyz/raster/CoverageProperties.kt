@@ -1,9 +1,9 @@
 package dev.lazyz.raster
 
-import dev.lazyz.FillRule
 import dev.lazyz.GridDrawing
 import dev.lazyz.GridPoint
 import dev.lazyz.SampleSet
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.samples
 import dev.lazyz.samplesByCursor
 import java.util.Random

@@ -1,18 +1,18 @@
 package dev.lazyz.raster
 
 import dev.lazyz.Depth
-import dev.lazyz.DepthConvention
-import dev.lazyz.FillRule
 import dev.lazyz.Fraction
 import dev.lazyz.Frame
 import dev.lazyz.GridDrawing
 import dev.lazyz.GridPoint
 import dev.lazyz.Raster
-import dev.lazyz.Shader
-import dev.lazyz.Spans
+import dev.lazyz.Raster.DepthConvention
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.samples
+import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.setup.GuardBandTriangles
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.spi.Shader
+import dev.lazyz.spi.Spans
 import java.math.BigDecimal
 import java.math.RoundingMode
 import java.util.Random

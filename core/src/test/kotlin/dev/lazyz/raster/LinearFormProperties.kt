@@ -2,9 +2,9 @@ package dev.lazyz.raster
 
 import dev.lazyz.Fraction
 import dev.lazyz.GridPoint
-import dev.lazyz.LinearForm
 import dev.lazyz.Raster
 import dev.lazyz.setup.GuardBandTriangles
+import dev.lazyz.spi.LinearForm
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll

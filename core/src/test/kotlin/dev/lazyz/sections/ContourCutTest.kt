@@ -1,12 +1,12 @@
 package dev.lazyz.sections
 
-import dev.lazyz.FillRule
 import dev.lazyz.drawing.Solids
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

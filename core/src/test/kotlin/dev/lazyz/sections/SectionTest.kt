@@ -1,20 +1,20 @@
 package dev.lazyz.sections
 
-import dev.lazyz.Fragment
 import dev.lazyz.Rgba
 import dev.lazyz.drawing.Solids
+import dev.lazyz.spi.Fragment
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.Sides
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -27,10 +27,10 @@ import org.junit.jupiter.api.Test
 class SectionTest {
     private fun cut(surfaces: List<Surface>, vararg planes: SectionPlane) = Section(planes.toList()).of(Scene(surfaces))
 
-    private fun caps(cut: SectionedScene) = cut.scene.surfaces.filterIsInstance<Polygon>()
+    private fun caps(cut: Section.Cut) = cut.scene.surfaces.filterIsInstance<Polygon>()
 
     /** The area of all contours of the caps; holes count as negative. */
-    private fun area(cut: SectionedScene, normal: Vector3d): Double =
+    private fun area(cut: Section.Cut, normal: Vector3d): Double =
         caps(cut).sumOf { cap -> cap.contours.sumOf { vectorArea(it).dot(normal) } }
 
     private fun vectorArea(contour: List<Vertex>): Vector3d {
@@ -42,7 +42,7 @@ class SectionTest {
     private fun position(vertex: Vertex) = Vector3d(vertex.x, vertex.y, vertex.z)
 
     /** The volume that the surfaces enclose, by Gauss's theorem. It depends on the place of a surface that is open. */
-    private fun volume(cut: SectionedScene, center: Vector3d = Vector3d(10.0, -7.0, 5.0)): Double {
+    private fun volume(cut: Section.Cut, center: Vector3d = Vector3d(10.0, -7.0, 5.0)): Double {
         val meshes = cut.scene.surfaces.filterIsInstance<Mesh>().sumOf { mesh ->
             (0 until mesh.triangleCount).sumOf { i ->
                 val (a, b, c) = (0 until 3).map { k ->
@@ -75,7 +75,7 @@ class SectionTest {
     @Test
     fun rule_10_5_aTorusHasTwoContours() {
         val torus = Solids.torus(1.0, 0.4, 96, 48)
-        val whole = volume(SectionedScene(Scene(listOf(torus)), emptyList()))
+        val whole = volume(Section.Cut(Scene(listOf(torus)), emptyList()))
         val across = cut(listOf(torus), SectionPlane.x(0.013))
         assertEquals(2, caps(across).single().contours.size)
         assertEquals(2 * StrictMath.PI * 0.16, area(across, Vector3d(1.0, 0.0, 0.0)), 0.01)

@@ -1,15 +1,15 @@
 package dev.lazyz.setup
 
-import dev.lazyz.Attributes
-import dev.lazyz.FillRule
 import dev.lazyz.Fraction
-import dev.lazyz.Fragment
 import dev.lazyz.GridPoint
 import dev.lazyz.Raster
-import dev.lazyz.Shader
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.samples
 import dev.lazyz.shading.AttributedPrimitive
 import dev.lazyz.shading.Vertices
+import dev.lazyz.spi.Attributes
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Shader
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
@@ -118,7 +118,7 @@ class AttributeProperties {
             vertices.set(i, Vertices.UV, values[i])
         }
         val all = IntArray(points.size) { it }
-        val assembly = PlanarAssembly(
+        val assembly = PrimitiveAssembly(
             vertices, all, intArrayOf(points.size),
             IntArray(points.size) { points[it].x },
             IntArray(points.size) { points[it].y },

@@ -1,18 +1,18 @@
 package dev.lazyz.setup
 
-import dev.lazyz.FillRule
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RayOracle
 import dev.lazyz.SampleScenes
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.samples
 import dev.lazyz.samplesByCursor
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.SetUp
-import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll

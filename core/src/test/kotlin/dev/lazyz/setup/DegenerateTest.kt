@@ -1,28 +1,27 @@
 package dev.lazyz.setup
 
 import com.sun.management.ThreadMXBean
-import dev.lazyz.FillRule
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
-import dev.lazyz.Shader
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.samples
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Shader
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Fit
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
-import dev.lazyz.world.surface.Vertex
 import java.lang.management.ManagementFactory
 import java.util.Random
 import org.joml.Matrix4d
@@ -42,7 +41,7 @@ class DegenerateTest {
 
     private fun assertEmpty(primitive: Primitive) {
         assertEquals(0, primitive.samples(raster).size) { primitive.toString() }
-        val counters = ZBuffer().render(Frame(raster, listOf(primitive))).counters
+        val counters = ZBufferRenderer().render(Frame(raster, listOf(primitive))).counters
         assertEquals(1, counters.primitives)
         assertEquals(0, counters.fragments)
     }
@@ -82,7 +81,7 @@ class DegenerateTest {
             floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 1f, 0f, 9f, 9f, 90f),
             intArrayOf(0, 0, 0, 0, 1, 1, 3, 3, 3, 0, 1, 2),
         )
-        val image = ZBuffer().render(Scene(listOf(mesh), viewpoint = SampleScenes.camera).frame(16, 16))
+        val image = ZBufferRenderer().render(Scene(listOf(mesh), viewpoint = SampleScenes.camera).frame(16, 16))
         assertEquals(4, image.counters.primitives)
         assertEquals(setOf(-1, 3), image.primitive.toSet())
     }
@@ -115,7 +114,7 @@ class DegenerateTest {
             val material = Material(texture = SampleScenes.checks, shading = shading, specular = Rgba.WHITE)
             val positions = floatArrayOf(-1f, -1f, 0f, 1f, -1f, 0f, 0f, 1f, 0f)
             val mesh = Mesh(positions, intArrayOf(0, 1, 2), material, nan, nan.copyOf(6), nan + nan.copyOf(3))
-            val image = ZBuffer().render(Scene(listOf(mesh), viewpoint = SampleScenes.camera).frame(8, 8))
+            val image = ZBufferRenderer().render(Scene(listOf(mesh), viewpoint = SampleScenes.camera).frame(8, 8))
             assertTrue(image.visible > 0)
         }
     }
@@ -138,7 +137,7 @@ class DegenerateTest {
                 for (camera in listOf(SampleScenes.camera, orthographic())) {
                     val surfaces =
                         listOf(Polygon(listOf(vertices), SHINY), Sphere(Vector3d(0.0, 0.0, -scale), scale, SHINY))
-                    ZBuffer().render(Scene(surfaces, viewpoint = camera).frame(raster))
+                    ZBufferRenderer().render(Scene(surfaces, viewpoint = camera).frame(raster))
                 }
             }
         }
@@ -154,7 +153,8 @@ class DegenerateTest {
                 }
                 val mesh = Mesh(positions, intArrayOf(0, 1, 2), SHINY)
                 for (camera in listOf(SampleScenes.camera, orthographic())) {
-                    ZBuffer().render(Scene(listOf(mesh, mesh.withSmoothNormals()), viewpoint = camera).frame(raster))
+                    val scene = Scene(listOf(mesh, mesh.withSmoothNormals()), viewpoint = camera)
+                    ZBufferRenderer().render(scene.frame(raster))
                 }
                 mesh.transformed(Matrix4d().scaling(1e30))
             }
@@ -169,7 +169,7 @@ class DegenerateTest {
                 val positions = FloatArray(9) { offset + (random.nextFloat() * 2 - 1) * scale }
                 val mesh = Mesh(positions, intArrayOf(0, 1, 2), SHINY)
                 for (fit in Fit.entries) {
-                    ZBuffer().render(Scene(listOf(mesh), viewpoint = Camera.fit(kind = fit)).frame(raster))
+                    ZBufferRenderer().render(Scene(listOf(mesh), viewpoint = Camera.fit(kind = fit)).frame(raster))
                 }
             }
         }
@@ -180,7 +180,7 @@ class DegenerateTest {
         for (radius in listOf(0.0, 1e-320, 1e-200, 1e30, 1e100, 1e200, 1e300, Double.MAX_VALUE)) {
             for (fit in Fit.entries) {
                 val scene = Scene(listOf(Sphere(Vector3d(1.0, 2.0, 3.0), radius)), viewpoint = Camera.fit(kind = fit))
-                ZBuffer().render(scene.frame(raster))
+                ZBufferRenderer().render(scene.frame(raster))
             }
         }
     }
@@ -189,7 +189,7 @@ class DegenerateTest {
     fun rule_9_6_emptyFramesAreOrdinary() {
         for ((width, height) in listOf(Pair(1, 1), Pair(1, 9), Pair(9, 1), Pair(5, 4))) {
             for (frame in listOf(Scene(emptyList()).frame(width, height), Frame(Raster(width, height), emptyList()))) {
-                val image = ZBuffer().render(frame)
+                val image = ZBufferRenderer().render(frame)
                 assertEquals(List(width * height) { -1 }, image.primitive.toList())
                 assertEquals(List(width * height) { Int.MAX_VALUE }, image.depth.toList())
                 assertEquals(List(width * height) { -1 }, image.argb.toList())

@@ -4,7 +4,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Mesh
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

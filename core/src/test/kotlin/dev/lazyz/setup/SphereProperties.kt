@@ -1,16 +1,16 @@
 package dev.lazyz.setup
 
 import dev.lazyz.Depth
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Shader
 import dev.lazyz.samples
 import dev.lazyz.samplesByCursor
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Shader
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
 import java.math.BigDecimal

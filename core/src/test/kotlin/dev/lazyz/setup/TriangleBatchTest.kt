@@ -6,7 +6,7 @@ import dev.lazyz.shading.Vertices
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh
 import java.util.Random
 import org.joml.Vector3d

@@ -1,26 +1,24 @@
 package dev.lazyz.shading
 
-import dev.lazyz.Fragment
-import dev.lazyz.FragmentBatch
 import dev.lazyz.Rgba
 import dev.lazyz.shading.light.LightVectors
 import dev.lazyz.shading.pbr.BatchPhysicalLighting
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.world.AmbientVisibility
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
-import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
+import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.SceneLight
-import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap
-import dev.lazyz.world.material.Shading
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureFilter
 import dev.lazyz.world.material.TextureMap
 import java.util.Random
 import org.joml.Vector3d
@@ -34,7 +32,7 @@ class BatchLightingTest {
     private val eye = Vector3d(0.3, 0.4, 4.0)
     private val perspective = Camera.perspective(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 40.0, 1.0, 10.0)
     private val parallel = Camera.orthographic(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 2.0, 1.0, 10.0)
-    private val picture = Texture(2, 2, intArrayOf(-0x1, 0x40ff0000, 0x4000ff00, -0xffff01), TextureFilter.BILINEAR)
+    private val picture = Texture(2, 2, intArrayOf(-0x1, 0x40ff0000, 0x4000ff00, -0xffff01), Texture.Filter.BILINEAR)
     private val map = TextureMap(picture)
 
     private fun color() = Rgba(random.nextFloat(), random.nextFloat(), random.nextFloat(), random.nextFloat())
@@ -75,7 +73,7 @@ class BatchLightingTest {
 
     private fun sceneLight(
         lights: List<Light>,
-        curve: ToneCurve?,
+        curve: ToneMapping.Curve?,
         visibility: AmbientVisibility?,
         environment: Environment = Environment.NONE,
     ): SceneLight {
@@ -132,7 +130,7 @@ class BatchLightingTest {
 
     private fun randomFragmentsHaveTheSameBits(material: Material, environment: Environment) {
         val lights = List(random.nextInt(4)) { light() }
-        val curve = (ToneCurve.entries + null)[random.nextInt(ToneCurve.entries.size + 1)]
+        val curve = (ToneMapping.Curve.entries + null)[random.nextInt(ToneMapping.Curve.entries.size + 1)]
         val visibility =
             if (random.nextInt(3) == 0) AmbientVisibility { x, _, _, nx, _, _ -> (x + nx) * 0.1f } else null
         val light = Lighting(

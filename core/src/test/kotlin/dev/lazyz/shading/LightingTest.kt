@@ -1,13 +1,13 @@
 package dev.lazyz.shading
 
-import dev.lazyz.Fragment
 import dev.lazyz.Rgba
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Fragment
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.surface.Mesh
 import org.joml.Vector3d
@@ -92,7 +92,7 @@ class LightingTest {
             for (normals in listOf(null, FloatArray(9) { if (it % 3 == 2) -1f else 0f })) {
                 val positions = floatArrayOf(-9f, -9f, 0f, 0f, 12f, 0f, 9f, -9f, 0f)
                 val wall = Mesh(positions, intArrayOf(0, 1, 2), Material(shading = shading), normals)
-                val image = ZBuffer().render(Scene(listOf(wall), listOf(light), camera).frame(1, 1))
+                val image = ZBufferRenderer().render(Scene(listOf(wall), listOf(light), camera).frame(1, 1))
                 assertEquals(-1, image.argb(0, 0)) { "$shading" }
             }
         }

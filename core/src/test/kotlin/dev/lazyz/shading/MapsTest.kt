@@ -1,22 +1,20 @@
 package dev.lazyz.shading
 
-import dev.lazyz.Fragment
 import dev.lazyz.Rgba
+import dev.lazyz.spi.Fragment
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap
-import dev.lazyz.world.material.Shading
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureFilter
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 import dev.lazyz.world.surface.Mesh
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -31,8 +29,8 @@ class MapsTest {
 
     /** A texture of one row of linear codes, 0xRRGGBB. */
     private fun row(vararg codes: Int) = Texture(
-        codes.size, 1, codes.map { it or (0xFF shl 24) }.toIntArray(), TextureFilter.NEAREST,
-        encoding = TextureEncoding.LINEAR,
+        codes.size, 1, codes.map { it or (0xFF shl 24) }.toIntArray(), Texture.Filter.NEAREST,
+        encoding = Texture.Encoding.LINEAR,
     )
 
     /** A square that faces the camera; u to the right, v downward. Its second set has u and v exchanged. */
@@ -59,7 +57,7 @@ class MapsTest {
             .withEnvironment(Environment.NONE).withToneMapping(ToneMapping.NONE)
         val fragment = Fragment()
         for (primitive in scene.frame(4, 4).primitives) {
-            val spans = dev.lazyz.Spans()
+            val spans = dev.lazyz.spi.Spans()
             if (y in primitive.rowStart until primitive.rowEnd) primitive.spans(y, spans)
             if ((0 until spans.count).none { x in spans.start(it) until spans.end(it) }) continue
             fragment.moveTo(x, y)

@@ -1,24 +1,23 @@
 package dev.lazyz.shading
 
-import dev.lazyz.BatchShader
-import dev.lazyz.Fragment
-import dev.lazyz.FragmentBatch
 import dev.lazyz.Rgba
 import dev.lazyz.samples
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.BatchShader
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.FragmentBatch
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.SceneLight
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.MipFilter
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
-import dev.lazyz.world.surface.Vertex
+import dev.lazyz.world.surface.Polygon.Vertex
 import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -27,7 +26,7 @@ import org.junit.jupiter.api.Test
 
 /** Contract rule 6.1 for materials: single fragments and batches, of meshes and of polygons, have the same colours. */
 class MaterialShaderTest {
-    private val texture = Texture(2, 2, intArrayOf(-0x1, 0x40ff0000, 0x4000ff00, -0xffff01), TextureFilter.BILINEAR)
+    private val texture = Texture(2, 2, intArrayOf(-0x1, 0x40ff0000, 0x4000ff00, -0xffff01), Texture.Filter.BILINEAR)
     private val lights = listOf(
         Light.Ambient(Rgba(0.1f, 0.2f, 0.3f)), Light.Directional(Vector3d(-1.0, -2.0, -3.0), Rgba(0.7f, 0.6f, 0.5f)),
     )
@@ -151,7 +150,7 @@ class MaterialShaderTest {
                 val masked = Material(Rgba.WHITE, even).withAlphaMode(AlphaMode.MASK).withAlphaCutoff(alpha / 255f)
                 val (covered, all) = listOf(masked, masked.withAlphaMode(AlphaMode.OPAQUE)).map {
                     val floor = Mesh(positions, intArrayOf(0, 1, 2, 0, 2, 3), it, null, uvs)
-                    ZBuffer().render(Scene(listOf(floor), lights, camera).frame(100, 100)).visible
+                    ZBufferRenderer().render(Scene(listOf(floor), lights, camera).frame(100, 100)).visible
                 }
                 assertEquals(all, covered, "alpha $alpha, $filter")
             }

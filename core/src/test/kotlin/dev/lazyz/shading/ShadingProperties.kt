@@ -1,10 +1,10 @@
 package dev.lazyz.shading
 
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.SampleScenes
 import dev.lazyz.samples
+import dev.lazyz.spi.Fragment
 import java.util.Random
 import java.util.concurrent.Callable
 import java.util.concurrent.Executors

@@ -1,18 +1,18 @@
 package dev.lazyz.shading
 
-import dev.lazyz.Fragment
 import dev.lazyz.GridPoint
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.samples
 import dev.lazyz.setup.PlanarPrimitive
+import dev.lazyz.spi.Fragment
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Mesh
 import java.util.Random
 import kotlin.math.abs

@@ -8,10 +8,10 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
 import dev.lazyz.samples
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
@@ -198,6 +198,6 @@ class AutoChoiceTest {
     @Test
     fun whatIsChosenGivesTheSameBits() {
         val frame = frame(96, grid(7), sphere(Material(Rgba.ofRgb(0x2F7FD0))))
-        assertEquals(ZBuffer().render(frame).pixelHash(), Renderers.auto(frame).render(frame).pixelHash())
+        assertEquals(ZBufferRenderer().render(frame).pixelHash(), Renderers.auto(frame).render(frame).pixelHash())
     }
 }

@@ -2,15 +2,15 @@ package dev.lazyz.strategies
 
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.drawing.EdgeSet
 import dev.lazyz.drawing.EdgeStyle
-import dev.lazyz.filter.ShadingRate
+import dev.lazyz.drawing.EdgeStyle.EdgeSet
 import dev.lazyz.filter.SuperSampling
+import dev.lazyz.filter.SuperSampling.ShadingRate
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.surface.Mesh
 import java.lang.management.ManagementFactory
 import java.util.concurrent.atomic.AtomicReference

@@ -3,13 +3,13 @@ package dev.lazyz.strategies
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
+import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.world.Camera
-import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Polygon
-import dev.lazyz.world.surface.Vertex
+import dev.lazyz.world.surface.Polygon.Vertex
 import kotlin.random.Random
 import org.joml.Vector3d
 

@@ -1,12 +1,12 @@
 package dev.lazyz.strategies
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
-import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
-import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer.Order
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.RenderOptions.Coherence
+import dev.lazyz.strategies.hierarchical.HierarchicalRenderer
+import dev.lazyz.strategies.hierarchical.HierarchicalRenderer.Order
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -15,12 +15,12 @@ import org.junit.jupiter.api.Assertions.assertTrue
 
 /** Contract rules 5, 7 and 8: all strategies give one picture, with the work that they promise. */
 class StrategiesProperties {
-    private val renderers = Renderers.builtIn + HierarchicalZBuffer(order = Order.SUBMISSION)
+    private val renderers = Renderers.builtIn + HierarchicalRenderer(order = Order.SUBMISSION)
 
     @Property(tries = 500, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_thePictureIsTheZBuffers(@ForAll seed: Long, @ForAll coherence: Coherence) {
         val frame = AwkwardFrames(seed).frame()
-        val expected = ZBuffer().render(frame)
+        val expected = ZBufferRenderer().render(frame)
         for (renderer in renderers) {
             val image = renderer.configured(RenderOptions(coherence).supportedBy(renderer)).render(frame)
             val counters = image.counters
@@ -48,7 +48,7 @@ class StrategiesProperties {
     fun rule_5_5_translucentPrimitivesBlendLikeTheLists(@ForAll seed: Long, @ForAll coherence: Coherence) {
         val frame = AwkwardFrames(seed, 40).translucent()
         if (!frame.hasTranslucency) return
-        val expected = Lists().render(frame)
+        val expected = ListsRenderer().render(frame)
         for (renderer in renderers.filter { Capability.TRANSPARENCY in it.capabilities }) {
             val image = renderer.configured(RenderOptions(coherence).supportedBy(renderer)).render(frame)
             val what = "AwkwardFrames($seed, 40).translucent(), $renderer, $coherence"

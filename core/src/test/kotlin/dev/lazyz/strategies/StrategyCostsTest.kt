@@ -2,15 +2,15 @@ package dev.lazyz.strategies
 
 import dev.lazyz.Capability
 import dev.lazyz.Counters
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Rgba
 import dev.lazyz.behindAll
 import dev.lazyz.pipeline.PipelineScenes
-import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.CsvSource
 class StrategyCostsTest {
     private fun counted(id: String, frame: Frame): Counters {
         val image = Renderers.find(id)!!.render(frame)
-        assertEquals(ZBuffer().render(frame), image, id)
+        assertEquals(ZBufferRenderer().render(frame), image, id)
         return image.counters
     }
 

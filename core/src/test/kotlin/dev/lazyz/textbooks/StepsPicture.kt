@@ -1,6 +1,6 @@
 package dev.lazyz.textbooks
 
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /** Draws the steps of a worked example as SVG: a grid of depths after each step, coloured by the visible shape. */
 internal object StepsPicture {
@@ -29,7 +29,7 @@ internal object StepsPicture {
     private fun StringBuilder.grid(example: WorkedExample, step: Int, left: Int, top: Int) {
         val label = if (step == 0) "empty" else "after ${example.shapes[step - 1].name}"
         append("<text x=\"$left\" y=\"${top + TITLE - 10}\" fill=\"#0f172a\">$label</text>\n")
-        val image = ZBuffer().render(example.frame(step))
+        val image = ZBufferRenderer().render(example.frame(step))
         val depths = example.depthsOf(image)
         for (y in 0 until example.height) {
             for (x in 0 until example.width) {

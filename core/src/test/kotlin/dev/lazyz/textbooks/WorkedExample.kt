@@ -1,13 +1,13 @@
 package dev.lazyz.textbooks
 
 import dev.lazyz.Depth
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Rgba
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.setup.FrameBuilder
 import org.junit.jupiter.api.Assertions.assertEquals
 
 /** A polygon of a worked example. Its contour has depths as in textbooks: small numbers of steps, smaller is nearer. */

@@ -1,9 +1,9 @@
 package dev.lazyz.textbooks
 
-import dev.lazyz.DepthConvention.LARGER_IS_NEARER
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.ProjectFiles
+import dev.lazyz.Raster.DepthConvention.LARGER_IS_NEARER
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.textbooks.WorkedExample.Companion.text
 import kotlin.io.path.exists

@@ -4,6 +4,7 @@ import dev.lazyz.Raster
 import dev.lazyz.SampleSet
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.samples
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere

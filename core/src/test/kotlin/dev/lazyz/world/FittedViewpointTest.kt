@@ -4,15 +4,16 @@ import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.geometry.Box
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import org.joml.Vector3d
 import org.joml.Vector4d
@@ -228,7 +229,7 @@ class FittedViewpointTest {
             val fresh = Mesh(mesh.positions, mesh.triangles)
             Scene(listOf(fresh)).frame(Raster(40, 30), RenderOptions(threads = threads))
         }
-        val hashes = frames.map { ZBuffer().render(it).pixelHash() }
+        val hashes = frames.map { ZBufferRenderer().render(it).pixelHash() }
         assertEquals(1, hashes.distinct().size, "$hashes")
     }
 

@@ -5,14 +5,14 @@ import dev.lazyz.Rgba
 import dev.lazyz.asOpaque
 import dev.lazyz.geometry.Box
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
-import dev.lazyz.world.surface.Vertex
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -91,7 +91,7 @@ class OriginTest {
     fun onTheScreenPositionsAreWhereTheyAre() {
         val corners = floatArrayOf(0f, 0f, 0f, 8f, 0f, 0f, 0f, 8f, 0f)
         val mesh = Mesh(corners, intArrayOf(0, 1, 2), origin = Vector3d(4.0, 4.0, 0.5))
-        val image = ZBuffer().render(Scene(listOf(mesh), viewpoint = Camera.screen()).frame(16, 16))
+        val image = ZBufferRenderer().render(Scene(listOf(mesh), viewpoint = Camera.screen()).frame(16, 16))
         assertEquals(0, image.primitive(4, 4))
         assertEquals(-1, image.primitive(3, 4))
         assertEquals(-1, image.primitive(12, 12))
@@ -103,7 +103,7 @@ class OriginTest {
         val visible = sizes.map { size ->
             val mesh = bumps(Vector3d())
             val scaled = Mesh(FloatArray(mesh.positions.size) { mesh.positions[it] * size }, mesh.triangles)
-            ZBuffer().render(Scene(listOf(scaled)).frame(128, 128)).visible
+            ZBufferRenderer().render(Scene(listOf(scaled)).frame(128, 128)).visible
         }
         for (count in visible) assertEquals(visible[0].toDouble(), count.toDouble(), 20.0)
     }

@@ -4,7 +4,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap
@@ -107,10 +107,10 @@ class SceneTest {
         val light = listOf(Light.Ambient(Rgba.WHITE))
         val scene = Scene(listOf(square(Vector3d())), light, camera)
         val hollow = scene.withAmbientVisibility { x, y, _, _, _, _ -> if (x > 0.1f && y > -0.3f) 0.25f else 1f }
-        val expected = ZBuffer().render(hollow.frame(40, 40))
-        assertNotEquals(expected, ZBuffer().render(scene.frame(40, 40)))
+        val expected = ZBufferRenderer().render(hollow.frame(40, 40))
+        assertNotEquals(expected, ZBufferRenderer().render(scene.frame(40, 40)))
         for (up in UpAxis.entries) {
-            assertEquals(expected, ZBuffer().render(hollow.withUpAxis(up).frame(40, 40))) { "$up" }
+            assertEquals(expected, ZBufferRenderer().render(hollow.withUpAxis(up).frame(40, 40))) { "$up" }
         }
     }
 
@@ -120,7 +120,7 @@ class SceneTest {
         val metal = Mesh(
             square(Vector3d()).positions, intArrayOf(0, 1, 2, 0, 2, 3), Material(Rgba.WHITE).asMetallicRoughness(),
         )
-        fun picture(environment: Float, light: Float) = ZBuffer().render(
+        fun picture(environment: Float, light: Float) = ZBufferRenderer().render(
             Scene(listOf(metal), viewpoint = Camera.fit(0.0, 0.0)).withEnvironment(Environment.studio(environment))
                 .withLightIntensity(light).frame(20, 20),
         )

@@ -1,21 +1,22 @@
 package dev.lazyz.world
 
 import dev.lazyz.Depth
-import dev.lazyz.DepthConvention
-import dev.lazyz.FillRule
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Rgba
-import dev.lazyz.Shader
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.geometry.FillRule
+import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.spi.Shader
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -54,7 +55,7 @@ class ScreenCameraTest {
     }
 
     private fun assertSame(expected: Frame, actual: Frame) {
-        val (a, b) = listOf(expected, actual).map { ZBuffer().render(it) }
+        val (a, b) = listOf(expected, actual).map { ZBufferRenderer().render(it) }
         assertArrayEquals(a.argb, b.argb)
         assertArrayEquals(a.depth, b.depth)
         assertArrayEquals(a.primitive, b.primitive)
@@ -70,7 +71,7 @@ class ScreenCameraTest {
     )
 
     private fun picture(surface: Surface, camera: Camera = Camera.screen()): Image =
-        ZBuffer().render(Scene(listOf(surface), viewpoint = camera).frame(8, 8))
+        ZBufferRenderer().render(Scene(listOf(surface), viewpoint = camera).frame(8, 8))
 
     @Test
     fun rule_9_1_whatIsBeforeNearOrBehindFarIsClipped() {
@@ -97,7 +98,7 @@ class ScreenCameraTest {
             val scene = Scene(listOf(Sphere(center, 5.0)))
             val expected = scene.withViewpoint(flat).frame(raster)
             assertSame(expected, scene.withViewpoint(Camera.screen(-4.0, 32.0)).frame(raster))
-            assertTrue(ZBuffer().render(expected).visible > 20)
+            assertTrue(ZBufferRenderer().render(expected).visible > 20)
         }
     }
 

@@ -2,7 +2,7 @@ package dev.lazyz.jmh;
 
 import dev.lazyz.Counters;
 import dev.lazyz.Frame;
-import dev.lazyz.PixelHash;
+import dev.lazyz.Image.PixelHash;
 import dev.lazyz.Renderer;
 import dev.lazyz.strategies.Renderers;
 import java.io.IOException;

@@ -1,7 +1,7 @@
 package dev.lazyz.jmh;
 
 import dev.lazyz.Image;
-import dev.lazyz.PixelHash;
+import dev.lazyz.Image.PixelHash;
 import dev.lazyz.jmh.workload.Workloads;
 import dev.lazyz.scenes.writers.BufferedImages;
 import dev.lazyz.scenes.writers.Images;

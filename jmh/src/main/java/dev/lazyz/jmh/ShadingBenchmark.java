@@ -1,12 +1,12 @@
 package dev.lazyz.jmh;
 
-import dev.lazyz.Fragment;
 import dev.lazyz.Primitive;
 import dev.lazyz.Rgba;
-import dev.lazyz.ShadingCursor;
+import dev.lazyz.spi.Fragment;
+import dev.lazyz.spi.ShadingCursor;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.material.Material;
-import dev.lazyz.world.material.Shading;
+import dev.lazyz.world.material.Material.Shading;
 import dev.lazyz.world.surface.Mesh;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;

@@ -9,7 +9,7 @@ import dev.lazyz.Renderer;
 import dev.lazyz.RowSink;
 import dev.lazyz.jmh.workload.Workloads;
 import dev.lazyz.strategies.Renderers;
-import dev.lazyz.strategies.zbuffer.ZBuffer;
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer;
 import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -19,7 +19,7 @@ class PictureCheckTest {
     @Test
     void aPictureWithOneWrongBitIsRefused() throws InterruptedException, IOException {
         Frame frame = Workloads.scene("layers").frame(8, 8);
-        PictureCheck.verify(frame, new ZBuffer());
+        PictureCheck.verify(frame, new ZBufferRenderer());
         assertThrows(IllegalStateException.class, () -> PictureCheck.verify(frame, new OneBitOff()));
     }
 
@@ -42,7 +42,7 @@ class PictureCheckTest {
 
         @Override
         public Counters render(Frame frame, RowSink sink) throws InterruptedException, IOException {
-            return new ZBuffer().render(frame, (y, argb, depth, primitive) -> {
+            return new ZBufferRenderer().render(frame, (y, argb, depth, primitive) -> {
                 argb[y % 8] ^= y == 3 ? 1 : 0;
                 sink.row(y, argb, depth, primitive);
             });

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Rgba
 
 /**

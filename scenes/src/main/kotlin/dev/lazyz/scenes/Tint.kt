@@ -1,7 +1,7 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.Fragment
-import dev.lazyz.Shader
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Shader
 
 /**
  * A test pattern: colour and opacity are a hash of a number, the sample's position and the fragment's

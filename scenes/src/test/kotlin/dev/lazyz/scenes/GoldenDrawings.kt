@@ -1,24 +1,24 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.FillRule
 import dev.lazyz.Rgba
-import dev.lazyz.drawing.EdgeSet
 import dev.lazyz.drawing.EdgeStyle
-import dev.lazyz.drawing.HiddenLines
+import dev.lazyz.drawing.EdgeStyle.EdgeSet
+import dev.lazyz.drawing.EdgeStyle.HiddenLines
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.sections.Hatching
 import dev.lazyz.sections.Section
 import dev.lazyz.sections.SectionPlane
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import org.joml.Vector3d
 
 /** Scenes for [GoldenTest] of points and lines, of edges, and of sections. */

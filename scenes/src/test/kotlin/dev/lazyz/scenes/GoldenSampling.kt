@@ -1,9 +1,9 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.Rgba
-import dev.lazyz.filter.PixelFilter
-import dev.lazyz.filter.ShadingRate
 import dev.lazyz.filter.SuperSampling
+import dev.lazyz.filter.SuperSampling.PixelFilter
+import dev.lazyz.filter.SuperSampling.ShadingRate
 import dev.lazyz.filter.VerticalGradient
 
 /**

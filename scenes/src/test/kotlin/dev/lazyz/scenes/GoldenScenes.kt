@@ -1,37 +1,33 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.FillRule
 import dev.lazyz.Rgba
-import dev.lazyz.Shader
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.lighting.GroundShadow
 import dev.lazyz.lighting.Matcap
+import dev.lazyz.spi.Shader
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
-import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
+import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.TextureWrap
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import org.joml.Vector3d
 
 /** Small scenes for [GoldenTest], a feature each: what the built-in scenes, made to look good, do not show. */
@@ -85,7 +81,7 @@ internal object GoldenScenes {
         "metallic" to { scene(shown(metallic())).withEnvironment(Environment.studio(0.6f)) },
         "metallic-aces" to {
             scene(shown(metallic()) + behind(metallic(), 1)).withLights(lights + spot).withLightIntensity(1.25f)
-                .withToneMapping(ToneMapping(ToneCurve.ACES, 0.5)).withEnvironment(Environment.NONE)
+                .withToneMapping(ToneMapping(ToneMapping.Curve.ACES, 0.5)).withEnvironment(Environment.NONE)
         },
         "trilinear" to { scene(floors(MipFilter.TRILINEAR)) },
         "anisotropic" to { scene(floors(MipFilter.ANISOTROPIC)) },
@@ -108,7 +104,7 @@ internal object GoldenScenes {
 
     /** A mixture of plastic and metal, with all maps. */
     private fun metallic(): Material {
-        val numbers = leaf.withEncoding(TextureEncoding.LINEAR).withMipFilter(MipFilter.TRILINEAR)
+        val numbers = leaf.withEncoding(Texture.Encoding.LINEAR).withMipFilter(MipFilter.TRILINEAR)
         val map = TextureMap(numbers, transform = UvTransform(0.7, 0.9, 20.0, 0.1, 0.2))
         return shining(Shading.PHONG, leaf).withMetallicRoughness(MetallicRoughness(0.8f, 0.9f, map))
             .withOcclusionMap(OcclusionMap(map, 0.7f)).withEmissionMap(map)
@@ -127,7 +123,7 @@ internal object GoldenScenes {
     }
 
     private fun smooth(texture: Texture) =
-        texture.withSampling(TextureFilter.BILINEAR, TextureWrap.REPEAT, TextureWrap.REPEAT)
+        texture.withSampling(Texture.Filter.BILINEAR, Texture.Wrap.REPEAT, Texture.Wrap.REPEAT)
 
     private fun shadedBy(viewpoint: Camera = camera, shader: (Camera) -> Shader): Scene {
         val material = Material(shader = shader(viewpoint))
@@ -136,7 +132,7 @@ internal object GoldenScenes {
 
     /** A relief under lights and in the studio, also on faces seen from behind. */
     private fun bumpy(): List<Surface> {
-        val relief = smooth(leaf.withEncoding(TextureEncoding.LINEAR))
+        val relief = smooth(leaf.withEncoding(Texture.Encoding.LINEAR))
         val transform = UvTransform(0.8, 1.1, 15.0, 0.2, 0.1)
         val map = NormalMap(TextureMap(relief, transform = transform), 0.7f)
         val plastic = shining(Shading.PHONG).withNormalMap(map)
@@ -148,8 +144,8 @@ internal object GoldenScenes {
 
     /** Two squares with a texture that is mirrored along one axis, or along both, and read far beyond its sides. */
     private fun mirrored(): List<Surface> = List(2) { i ->
-        val wrap = listOf(TextureWrap.MIRROR, TextureWrap.REPEAT)
-        val texture = leaf.withSampling(TextureFilter.entries[i], TextureWrap.MIRROR, wrap[i], MipFilter.entries[i])
+        val wrap = listOf(Texture.Wrap.MIRROR, Texture.Wrap.REPEAT)
+        val texture = leaf.withSampling(Texture.Filter.entries[i], Texture.Wrap.MIRROR, wrap[i], MipFilter.entries[i])
         square(i * 2.2 - 2.2, -1.0, 2.6f + i, texture)
     }
 
@@ -225,8 +221,8 @@ internal object GoldenScenes {
 
     /** Four squares side by side: both filters, both ways to go on beyond the texture, coordinates far and near. */
     private fun textured(): List<Surface> = List(4) { i ->
-        val filter = TextureFilter.entries[i % 2]
-        val wrap = listOf(TextureWrap.REPEAT, TextureWrap.CLAMP)
+        val filter = Texture.Filter.entries[i % 2]
+        val wrap = listOf(Texture.Wrap.REPEAT, Texture.Wrap.CLAMP)
         val texture = leaf.withSampling(filter, wrap[i / 2], wrap[1 - i / 2])
         square(i % 2 * 2.2 - 2.2, i / 2 * 2.0 - 2.0, 1.5f + i, texture)
     }

@@ -5,7 +5,7 @@ import dev.lazyz.Raster
 import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovFrame
 import dev.lazyz.drawing.EdgeStyle
-import dev.lazyz.drawing.HiddenLines
+import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.lighting.GroundShadow
@@ -15,7 +15,7 @@ import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.writers.writePng
 import dev.lazyz.sections.Section
 import dev.lazyz.sections.SectionPlane
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Scene
 import java.nio.file.Path
 
@@ -23,17 +23,17 @@ import java.nio.file.Path
 internal object PageCode {
     fun picture() {
         val model = Scenes.load(Path.of("teapot.obj"))
-        PictureSettings(640, 480).frame(model).render(Tiled()).writePng(Path.of("teapot.png"))
+        PictureSettings(640, 480).frame(model).render(TiledRenderer()).writePng(Path.of("teapot.png"))
     }
 
     fun antiAliasing(scene: Scene): Image {
-        val image = SuperSampling(4).frame(scene, Raster(640, 480)).render(Tiled())
+        val image = SuperSampling(4).frame(scene, Raster(640, 480)).render(TiledRenderer())
         return image
     }
 
     fun data(scene: Scene): Double {
         val frame = SuperSampling(4).frame(scene, Raster(640, 480))
-        val aovs = AovFrame(frame, setOf(Aov.DEPTH, Aov.OBJECT)).render(Tiled())
+        val aovs = AovFrame(frame, setOf(Aov.DEPTH, Aov.OBJECT)).render(TiledRenderer())
         val distance = aovs[Aov.DEPTH].number(x = 320, y = 240)
         AovFiles.write(Path.of("depth.pfm"), aovs[Aov.DEPTH])
         AovPicture.of(aovs[Aov.OBJECT]).writePng(Path.of("objects.png"))
@@ -43,7 +43,7 @@ internal object PageCode {
     fun drawing(scene: Scene): Image {
         val half = Section(listOf(SectionPlane.z(0.0))).of(scene)
         val drawing = EdgeStyle().withWidth(1.5).withHidden(HiddenLines.DASHED).drawnOn(half.scene)
-        val image = SuperSampling(4).frame(drawing, Raster(640, 480)).render(Tiled())
+        val image = SuperSampling(4).frame(drawing, Raster(640, 480)).render(TiledRenderer())
         return image
     }
 

@@ -7,23 +7,20 @@ import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.meshes.AwkwardMesh
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.world.Environment
-import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
+import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureFilter
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 import dev.lazyz.world.surface.Mesh
 import java.util.Random
 import org.joml.Vector3d
@@ -44,7 +41,7 @@ class StrategiesAgreeTest {
     fun rule_7_1_onAnAwkwardMesh(): List<DynamicTest> = Shading.entries.flatMap { shading ->
         AlphaMode.entries.map { mode ->
             dynamicTest("$shading, $mode") {
-                val texture = Texture(2, 2, intArrayOf(-1, 0x40FF8000, 0x7F00FF00, -0xFF8001), TextureFilter.BILINEAR)
+                val texture = Texture(2, 2, intArrayOf(-1, 0x40FF8000, 0x7F00FF00, -0xFF8001), Texture.Filter.BILINEAR)
                 val sides = if (mode == AlphaMode.OPAQUE) Sides.FRONT else Sides.BOTH
                 val material = Material(
                     Rgba(0.9f, 0.8f, 0.7f, 0.75f), texture, shading, Rgba(0.3f, 0.3f, 0.3f),
@@ -59,7 +56,7 @@ class StrategiesAgreeTest {
     fun rule_7_1_onPhysicallyBasedMaterials(): List<DynamicTest> = AlphaMode.entries.flatMap { mode ->
         listOf(true, false).map { hasLights ->
             dynamicTest("$mode, ${if (hasLights) "lights" else "studio"}") {
-                val scene = Scene(listOf(physical(mode))).withToneMapping(ToneMapping(ToneCurve.ACES, 0.5))
+                val scene = Scene(listOf(physical(mode))).withToneMapping(ToneMapping(ToneMapping.Curve.ACES, 0.5))
                 val lit = scene.withLights(LIGHTS).withEnvironment(Environment.studio(0.5f))
                 assertAgree(if (hasLights) lit else scene)
             }
@@ -69,17 +66,17 @@ class StrategiesAgreeTest {
     /** The awkward mesh with all maps, two sets of texture coordinates, and tangents. */
     private fun physical(mode: AlphaMode): Mesh {
         val random = Random(7)
-        fun map(set: Int, encoding: TextureEncoding) = TextureMap(
+        fun map(set: Int, encoding: Texture.Encoding) = TextureMap(
             Texture(3, 5, IntArray(15) { random.nextInt() }, encoding = encoding),
             set,
             UvTransform(1.5, -0.5, 30.0 * set, 0.25, 0.125),
         )
         val material = Material(Rgba(0.9f, 0.8f, 0.7f, 0.75f), emission = Rgba(0.5f, 1f, 2f), alphaMode = mode)
-            .withTextureMap(map(1, TextureEncoding.SRGB))
-            .withMetallicRoughness(MetallicRoughness(0.75f, 0.5f, map(0, TextureEncoding.LINEAR)))
-            .withNormalMap(NormalMap(map(1, TextureEncoding.LINEAR), 0.5f))
-            .withOcclusionMap(OcclusionMap(map(0, TextureEncoding.LINEAR), 0.5f))
-            .withEmissionMap(map(1, TextureEncoding.SRGB))
+            .withTextureMap(map(1, Texture.Encoding.SRGB))
+            .withMetallicRoughness(MetallicRoughness(0.75f, 0.5f, map(0, Texture.Encoding.LINEAR)))
+            .withNormalMap(NormalMap(map(1, Texture.Encoding.LINEAR), 0.5f))
+            .withOcclusionMap(OcclusionMap(map(0, Texture.Encoding.LINEAR), 0.5f))
+            .withEmissionMap(map(1, Texture.Encoding.SRGB))
         val mesh = AwkwardMesh.of(material)
         val uvs2 = FloatArray(2 * mesh.vertexCount) { random.nextFloat() * 4 - 2 }
         return Mesh(mesh.positions, mesh.triangles, material, mesh.normals, mesh.uvs, uvs2 = uvs2)

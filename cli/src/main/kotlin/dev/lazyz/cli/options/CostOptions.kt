@@ -3,8 +3,8 @@ package dev.lazyz.cli.options
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
-import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Selector
 import dev.lazyz.cli.strategies.Choices
 

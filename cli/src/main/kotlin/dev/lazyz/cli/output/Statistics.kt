@@ -9,13 +9,13 @@ import com.github.ajalt.mordant.table.table
 import com.github.ajalt.mordant.terminal.Terminal
 import dev.lazyz.Counters
 import dev.lazyz.Image
-import dev.lazyz.PixelHash
+import dev.lazyz.Image.PixelHash
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.scenes.pictures.Blank
 import dev.lazyz.scenes.pictures.VisibleRows
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import kotlinx.serialization.json.JsonObject
 
 /**
@@ -37,7 +37,7 @@ internal class Statistics(
 ) {
     val entries: Map<String, Any> = mapOf<String, Any>("input" to input) + place + mapOf(
         "strategy" to strategy.id,
-    ) + (if (strategy is Tiled) mapOf("kernel" to strategy.kernel) else emptyMap()) + mapOf(
+    ) + (if (strategy is TiledRenderer) mapOf("kernel" to strategy.kernel) else emptyMap()) + mapOf(
         "width" to picture.width,
         "height" to picture.height,
         "aa" to aa,

@@ -5,7 +5,6 @@ import dev.lazyz.Region
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.strategies.StrategyChoice
-import dev.lazyz.planning.MemoryItem
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.LoadOptions
@@ -14,7 +13,7 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.pictures.PictureFrame
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 
 /**
  * The option `--memory`: plans a rendering of [request] that stays within [allowed] bytes of Java's memory, or refuses
@@ -30,7 +29,7 @@ internal class MemoryPlanning(
     private val request: RenderRequest,
     private val source: FrameSource,
     private val choice: StrategyChoice,
-    private val others: (Region) -> List<MemoryItem>,
+    private val others: (Region) -> List<RenderPlan.Item>,
 ) {
     private val heap = Runtime.getRuntime().maxMemory()
 
@@ -137,7 +136,7 @@ internal class MemoryPlanning(
      * @throws MemoryRefusal if none fits, or if an earlier step did not fit
      */
     fun plan(shot: PictureFrame): RenderPlan {
-        val program = MemoryItem("program, scene and primitives", held())
+        val program = RenderPlan.Item("program, scene and primitives", held())
         val all = listOf(program) + others(shot.pixels)
         val plan = plan(shot, all, memory)
         val short = shortage
@@ -151,7 +150,7 @@ internal class MemoryPlanning(
         throw advice.refusal(picture, Enough(enough(shot, all)), plan, canShrink = smallest.fits)
     }
 
-    private fun plan(shot: PictureFrame, items: List<MemoryItem>, bytes: Long): RenderPlan =
+    private fun plan(shot: PictureFrame, items: List<RenderPlan.Item>, bytes: Long): RenderPlan =
         shot.plan(
             RenderPlanner(bytes, request.choices.forFrame(shot.frame).options()),
             choice.rendererChoices(shot.frame, bytes),
@@ -159,7 +158,7 @@ internal class MemoryPlanning(
         )
 
     /** Returns the memory with which [shot] can be rendered, besides [items], after the steps so far. */
-    private fun enough(shot: PictureFrame, items: List<MemoryItem>): Long {
+    private fun enough(shot: PictureFrame, items: List<RenderPlan.Item>): Long {
         // With more memory, another plan may be the first
         var bytes = least
         while (true) {
@@ -174,11 +173,11 @@ internal class MemoryPlanning(
         val file = source.input.fileBytes ?: return Enough(null)
         val blank = source.blank(request.choices.options())
         val drawing = when {
-            choice.usual !is Tiled -> OTHERS_PER_BYTE
+            choice.usual !is TiledRenderer -> OTHERS_PER_BYTE
             format in MESHES -> MESH_PER_BYTE
             else -> COMPACT_PER_BYTE
         }
-        val model = MemoryItem("program, scene and primitives", least - least / RESERVE_PART + file * drawing)
+        val model = RenderPlan.Item("program, scene and primitives", least - least / RESERVE_PART + file * drawing)
         return Enough(enough(blank, listOf(model) + others(blank.pixels)), isEstimate = true)
     }
 

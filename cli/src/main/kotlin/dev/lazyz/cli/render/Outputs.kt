@@ -11,7 +11,7 @@ import dev.lazyz.cli.output.OutputTemplate
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.printable
 import dev.lazyz.conformance.report.ShellWords
-import dev.lazyz.planning.MemoryItem
+import dev.lazyz.planning.RenderPlan
 import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.PfmSink
@@ -115,12 +115,12 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
     }
 
     /** Returns the memory for writing a picture of the pixels of [region]. */
-    fun memory(region: Region): List<MemoryItem> = listOfNotNull(
+    fun memory(region: Region): List<RenderPlan.Item> = listOfNotNull(
         (picture?.toString() ?: "-".takeIf { isStandardOutput })?.let {
             val resuming = if (request.resumption == null) 0 else DeepZoomSink.resumingMemory(region.width)
-            MemoryItem("output -o $it", PictureFile.memory(picture, region) + resuming)
+            RenderPlan.Item("output -o $it", PictureFile.memory(picture, region) + resuming)
         },
-        request.depthOutput?.let { MemoryItem("output --depth-out $it", PfmSink.memory(region.width)) },
+        request.depthOutput?.let { RenderPlan.Item("output --depth-out $it", PfmSink.memory(region.width)) },
     )
 
     /** Prints which files were written. */

@@ -13,7 +13,7 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.Tally
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.strategies.StrategyChoice
-import dev.lazyz.planning.MemoryItem
+import dev.lazyz.planning.RenderPlan
 import dev.lazyz.scenes.LoadedScene
 import kotlinx.serialization.json.JsonObject
 
@@ -121,9 +121,9 @@ internal class RenderJob(private val request: RenderRequest, private val streams
     }
 
     /** What receives the [pixels]; those that are kept to be compared, and other data of each of them. */
-    private fun others(pixels: Region): List<MemoryItem> {
+    private fun others(pixels: Region): List<RenderPlan.Item> {
         val kept = ((reference?.bytesPerPixel ?: 0) + request.aovs.bytesPerPixel) * pixels.size
-        val items = if (kept == 0L) emptyList() else listOf(MemoryItem("pixels that are kept", kept))
+        val items = if (kept == 0L) emptyList() else listOf(RenderPlan.Item("pixels that are kept", kept))
         return outputs.memory(pixels) + items
     }
 

@@ -3,7 +3,7 @@ package dev.lazyz.cli.report
 import dev.lazyz.Image
 import dev.lazyz.Renderer
 import dev.lazyz.aov.Aov
-import dev.lazyz.aov.AovImages
+import dev.lazyz.aov.AovFrame.AovImages
 import dev.lazyz.cli.compare.CompareJob
 import dev.lazyz.cli.compare.CompareRequest
 import dev.lazyz.cli.compare.Outcome
@@ -63,7 +63,12 @@ internal class ReportJob(private val request: ReportRequest, private val streams
         }
     }
 
-    private fun portrait(strategy: Renderer, outcome: Outcome.Rendered, shot: PictureFrame, reference: Image?): Portrait {
+    private fun portrait(
+        strategy: Renderer,
+        outcome: Outcome.Rendered,
+        shot: PictureFrame,
+        reference: Image?,
+    ): Portrait {
         val collector = Image.Collector(shot.pixels)
         val aovs = shot.render(choices.applyTo(strategy), collector, setOf(Aov.SHADING_CALLS))
         val isShort = outcome.counters.shadingCalls <= ShadingOrder.MOST

@@ -2,7 +2,7 @@ package dev.lazyz.cli.report
 
 import dev.lazyz.Image
 import dev.lazyz.Region
-import dev.lazyz.Viridis
+import dev.lazyz.Rgba
 import dev.lazyz.cli.compare.Outcome
 import dev.lazyz.cli.page.PictureStore
 import dev.lazyz.cli.trace.ShadingOrder
@@ -104,7 +104,9 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
 
     /** Returns the legend of the map [name]: what is grey, and the ends of the scale. */
     private fun scale(name: String, none: String, least: String, most: String): String {
-        val colors = (0..STOPS).joinToString { "#%06x".format(Viridis.argb(it / STOPS.toDouble()) and 0xFFFFFF) }
+        val colors = (0..STOPS).joinToString {
+            "#%06x".format(Rgba.viridis(it / STOPS.toDouble()).toArgb() and 0xFFFFFF)
+        }
         val grey = "#%06x".format(AovPicture.NOTHING and 0xFFFFFF)
         return """<div class="scale"><b>$name</b> <span class="swatch" style="background:$grey"></span> $none """ +
             """<span>$least</span><i style="background:linear-gradient(90deg, $colors)"></i>""" +
@@ -129,7 +131,7 @@ internal class OrderMap(order: ShadingOrder, pixels: Region) {
         for (call in order.size - 1 downTo 0) {
             if (order.isDiscarded(call)) continue
             val place = order.place(call)
-            canvas.set(place % pixels.width, place / pixels.width, Viridis.argb(call / last))
+            canvas.set(place % pixels.width, place / pixels.width, Rgba.viridis(call / last).toArgb())
         }
     }
 

@@ -1,9 +1,9 @@
 package dev.lazyz.cli.strategies
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Renderer
 import dev.lazyz.Selector
 

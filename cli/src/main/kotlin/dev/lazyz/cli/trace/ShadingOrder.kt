@@ -1,8 +1,8 @@
 package dev.lazyz.cli.trace
 
 import dev.lazyz.Frame
-import dev.lazyz.ShadingObserver
 import dev.lazyz.cli.output.Mistake
+import dev.lazyz.spi.ShadingObserver
 import java.util.BitSet
 
 /**

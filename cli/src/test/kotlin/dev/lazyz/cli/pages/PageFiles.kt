@@ -8,7 +8,7 @@ import dev.lazyz.cli.ProjectFiles
 import dev.lazyz.cli.rendererJar
 import dev.lazyz.cli.wedge
 import dev.lazyz.cli.zcli
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import kotlin.io.path.copyTo
@@ -23,7 +23,7 @@ class MyRenderer : Renderer {
 
     override val summary: String get() = "is an example"
 
-    override fun render(frame: Frame, sink: RowSink): Counters = ZBuffer().render(frame, sink)
+    override fun render(frame: Frame, sink: RowSink): Counters = ZBufferRenderer().render(frame, sink)
 }
 
 /** Writes the files that [commands] name; only models if they take all files. */

@@ -4,7 +4,7 @@ import dev.lazyz.cli.argb
 import dev.lazyz.cli.image
 import dev.lazyz.cli.zcli
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.awt.image.BufferedImage
 import java.nio.file.Path
 import javax.imageio.ImageIO
@@ -63,7 +63,7 @@ class OpaqueTest {
             val loaded = Scenes.load(file)
             val frame = loaded.scene.frame(loaded.raster(40, 30))
             assertTrue(frame.hasTranslucency, kind)
-            assertEquals(ZBuffer().render(frame.asOpaque()).argb.toList(), argb(file), kind)
+            assertEquals(ZBufferRenderer().render(frame.asOpaque()).argb.toList(), argb(file), kind)
         }
     }
 

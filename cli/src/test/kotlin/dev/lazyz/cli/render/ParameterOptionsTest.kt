@@ -13,7 +13,7 @@ import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureStyle
 import dev.lazyz.shared.PictureWords
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import java.nio.file.Path
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
@@ -34,7 +34,7 @@ class ParameterOptionsTest {
         val run = zcli("render", model, "--size", "40x30", "-o", "-", *options.toTypedArray())
         val image = try {
             val settings = PictureDoor.COMMAND_LINE.read(usual, words.toList()).also { it.check() }
-            settings.frame(Scenes.load(model), observer = PictureObserver("$model")).render(Tiled())
+            settings.frame(Scenes.load(model), observer = PictureObserver("$model")).render(TiledRenderer())
         } catch (e: IllegalArgumentException) {
             assertTrue(e.message.orEmpty().substringAfter(": ") in run.errors) { "$words: ${e.message}\n${run.errors}" }
             assertEquals(ExitCode.MISTAKE, run.code)
@@ -83,7 +83,7 @@ class ParameterOptionsTest {
             val settings = if (style == null) usual else usual.with(PictureParameters.STYLE, style)
             val turntable = settings.turntable(Scenes.load(model), 3)
             for (step in 0 until 3) {
-                val image = turntable.frame(step).render(Tiled())
+                val image = turntable.frame(step).render(TiledRenderer())
                 assertEquals(image.argb.asList(), folder.resolve("${step + 1}.png").image.argb(), "$style $step")
             }
         }

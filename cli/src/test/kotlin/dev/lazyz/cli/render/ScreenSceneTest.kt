@@ -1,20 +1,20 @@
 package dev.lazyz.cli.render
 
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Image
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Rgba
 import dev.lazyz.cli.zcli
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.scenefile.SceneFile
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Polygon
-import dev.lazyz.world.surface.Vertex
+import dev.lazyz.world.surface.Polygon.Vertex
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
@@ -42,7 +42,7 @@ class ScreenSceneTest {
     private val file: Path by lazy { folder.resolve("screen.json").also { SceneFile.write(scene, it, size, depth) } }
 
     private fun picture(rules: DepthRules): Image =
-        ZBuffer().render(scene.frame(rules.raster(size.width, size.height, scene.background)))
+        ZBufferRenderer().render(scene.frame(rules.raster(size.width, size.height, scene.background)))
 
     private fun hash(vararg words: Any): Any? =
         zcli("render", file, "--stats=json", "-o", folder.resolve("out.png"), *words).done().stat("pixelHash")

@@ -4,8 +4,8 @@ import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Renderer
+import dev.lazyz.Rgba
 import dev.lazyz.RowSink
-import dev.lazyz.Viridis
 import dev.lazyz.cli.BuggyRenderer
 import dev.lazyz.cli.WrongColorRenderer
 import dev.lazyz.cli.WrongDepthRenderer
@@ -21,7 +21,7 @@ import dev.lazyz.cli.withRenderers
 import dev.lazyz.cli.zcli
 import dev.lazyz.scenes.aov.AovPicture
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.readText
@@ -40,7 +40,7 @@ class WrongLaterRenderer : Renderer {
     override val summary: String get() = "is right once"
 
     override fun render(frame: Frame, sink: RowSink): Counters =
-        (if (runs++ == 0) ZBuffer() else WrongColorRenderer()).render(frame, sink)
+        (if (runs++ == 0) ZBufferRenderer() else WrongColorRenderer()).render(frame, sink)
 
     companion object {
         var runs = 0
@@ -145,7 +145,7 @@ class ReportTest {
         val covered = calls.map { it != AovPicture.NOTHING }
         assertTrue(covered.any { it } && covered.any { !it })
         assertTrue(picture("Shading calls of painter:").toSet().size > 3)
-        assertTrue(Viridis.argb(1.0) in picture("Overdraw: "))
+        assertTrue(Rgba.viridis(1.0).toArgb() in picture("Overdraw: "))
         val words = Regex("Overdraw: [0-9.]+ surfaces on average, up to [0-9.]+ at a pixel")
         assertTrue(page.shown.keys.any { words.matches(it) }) { "${page.shown.keys}" }
 
@@ -153,7 +153,10 @@ class ReportTest {
         val order = picture("Order in which lazy shades")
         assertEquals(covered, order.map { it != AovPicture.NOTHING })
         val colors = order.filter { it != AovPicture.NOTHING }
-        assertEquals(listOf(Viridis.argb(0.0), Viridis.argb(1.0)), listOf(colors.first(), colors.last()))
+        assertEquals(
+            listOf(Rgba.viridis(0.0).toArgb(), Rgba.viridis(1.0).toArgb()),
+            listOf(colors.first(), colors.last()),
+        )
         assertEquals(colors.map { it shr 8 and 0xFF }.sorted(), colors.map { it shr 8 and 0xFF })
         assertTrue(picture("Order in which painter shades") != order)
     }

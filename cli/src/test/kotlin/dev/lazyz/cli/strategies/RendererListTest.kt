@@ -6,7 +6,7 @@ import dev.lazyz.cli.UnbornRenderer
 import dev.lazyz.cli.withRenderers
 import dev.lazyz.cli.zcli
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.nio.file.Path
 import java.util.ServiceConfigurationError
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -31,7 +31,7 @@ class RendererListTest {
     @Test
     fun twoOfOneIdAreAMistakeThatNamesBoth() = withRenderers(folder, SecondZBuffer::class.java.name) {
         val clash = assertThrows(IllegalStateException::class.java) { Renderers.find("zbuffer") }
-        for (part in listOf("'zbuffer'", ZBuffer::class.java.name, SecondZBuffer::class.java.name)) {
+        for (part in listOf("'zbuffer'", ZBufferRenderer::class.java.name, SecondZBuffer::class.java.name)) {
             assertTrue(part in clash.message.orEmpty(), "${clash.message}")
         }
         zcli("strategies").mistake("two renderers have the id 'zbuffer'", SecondZBuffer::class.java.name)

@@ -1,7 +1,7 @@
 package dev.lazyz.cli.strategies
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Selector
 import dev.lazyz.cli.CapableRenderer
 import dev.lazyz.cli.Zrun

@@ -8,8 +8,8 @@ import dev.lazyz.Rgba
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d

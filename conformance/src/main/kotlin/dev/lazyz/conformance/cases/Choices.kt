@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.cases
 
 import dev.lazyz.Depth
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Rgba
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary

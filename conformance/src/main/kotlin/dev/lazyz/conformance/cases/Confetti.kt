@@ -1,12 +1,12 @@
 package dev.lazyz.conformance.cases
 
-import dev.lazyz.Fragment
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
-import dev.lazyz.Shader
-import dev.lazyz.ShadingCursor
-import dev.lazyz.Spans
 import dev.lazyz.scenes.Tint
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.Shader
+import dev.lazyz.spi.ShadingCursor
+import dev.lazyz.spi.Spans
 
 /**
  * A primitive without any coherence: coverage, depth and colour of a sample are hashes of the sample.

@@ -1,11 +1,11 @@
 package dev.lazyz.conformance.cases
 
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
-import dev.lazyz.ShadingCursor
-import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.ShadingCursor
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Surface
 

@@ -2,14 +2,14 @@ package dev.lazyz.conformance.cases
 
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.Spans
 import dev.lazyz.conformance.oracle.BlendedSample
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 
 /**
  * A frame of many spans or fragments, and its picture, which is known without looking at each primitive at each sample:

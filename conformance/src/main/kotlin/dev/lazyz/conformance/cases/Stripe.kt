@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.cases
 
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Spans
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
@@ -49,7 +49,7 @@ internal class Once(private val key: Int, private val action: () -> Unit) : (Int
  * A primitive that covers nothing, although its bounds are the whole raster. Throws when its depth or colour is
  * queried.
  */
-internal class NothingThere(private val raster: Raster) : Primitive {
+internal class UncoveredPrimitive(private val raster: Raster) : Primitive {
     override val rowStart: Int get() = 0
     override val rowEnd: Int get() = raster.height
     override val columnStart: Int get() = 0

@@ -1,12 +1,12 @@
 package dev.lazyz.conformance.cases
 
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.Spans
 import dev.lazyz.conformance.oracle.BlendedSample
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 import java.util.Random
 
 /** A translucent primitive that covers a raster of [side] x [side] samples at one depth, with a colour for each. */

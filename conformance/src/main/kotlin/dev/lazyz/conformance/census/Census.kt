@@ -1,22 +1,22 @@
 package dev.lazyz.conformance.census
 
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
-import dev.lazyz.Spans
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.conformance.cases.Rasters
+import dev.lazyz.spi.Spans
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
-import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
+import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.MipFilter
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
@@ -30,7 +30,7 @@ import org.joml.Vector3d
 
 /** Counts the frames of a rule by their traits. Thread safe, because a rule may render frames in several threads. */
 internal class Census {
-    private val pairs = TraitPairs()
+    private val pairs = PairCounts()
     private val seen = Collections.newSetFromMap(IdentityHashMap<Frame, Boolean>())
     private var frames = 0L
     private var unexamined = 0L
@@ -59,7 +59,7 @@ internal class Census {
     }
 
     @Synchronized
-    fun distribution(): Distribution = Distribution(frames, unexamined, TraitPairs() + pairs)
+    fun distribution(): Distribution = Distribution(frames, unexamined, PairCounts() + pairs)
 
     companion object {
         /**
@@ -190,7 +190,7 @@ internal class SampleTraits(private val frame: Frame) {
     private val starts = BooleanArray(frame.width + 1)
     private val ends = BooleanArray(frame.width + 1)
 
-    private val spans = Spans(frame.region)
+    private val spans = frame.region.spans()
     private val visible = HashSet<Int>()
     private val pairs = HashSet<Pair<Int, Int>>()
 

@@ -4,7 +4,7 @@ package dev.lazyz.conformance.census
  * Counts sets of traits by the pairs that they contain. A single trait is counted as a pair with itself. Not thread
  * safe.
  */
-internal class TraitPairs {
+internal class PairCounts {
     private val counts = LongArray(SIZE * SIZE)
 
     /** Counts a frame with the given [traits]. */
@@ -14,13 +14,13 @@ internal class TraitPairs {
 
     fun count(a: FrameTrait, b: FrameTrait): Long = counts[a.ordinal * SIZE + b.ordinal]
 
-    operator fun plus(other: TraitPairs): TraitPairs {
-        val sum = TraitPairs()
+    operator fun plus(other: PairCounts): PairCounts {
+        val sum = PairCounts()
         for (i in counts.indices) sum.counts[i] = counts[i] + other.counts[i]
         return sum
     }
 
-    override fun equals(other: Any?): Boolean = other is TraitPairs && counts.contentEquals(other.counts)
+    override fun equals(other: Any?): Boolean = other is PairCounts && counts.contentEquals(other.counts)
 
     override fun hashCode(): Int = counts.contentHashCode()
 
@@ -43,7 +43,7 @@ internal class TraitPairs {
 public class Distribution internal constructor(
     public val frames: Long,
     public val unexamined: Long,
-    private val pairs: TraitPairs,
+    private val pairs: PairCounts,
 ) {
     /** Returns the number of frames that have [trait]. */
     public fun count(trait: FrameTrait): Long = pairs.count(trait, trait)
@@ -63,6 +63,6 @@ public class Distribution internal constructor(
         "$frames frames (${FrameTrait.entries.joinToString { "${it.words}: ${count(it)}" }})"
 
     internal companion object {
-        val NONE = Distribution(0, 0, TraitPairs())
+        val NONE = Distribution(0, 0, PairCounts())
     }
 }

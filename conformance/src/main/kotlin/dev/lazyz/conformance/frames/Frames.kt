@@ -1,7 +1,6 @@
 package dev.lazyz.conformance.frames
 
 import dev.lazyz.Raster
-import dev.lazyz.Shader
 import dev.lazyz.conformance.cases.Confetti
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Glass
@@ -11,6 +10,7 @@ import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.frames.screen.ScreenFrames
 import dev.lazyz.conformance.frames.world.WorldFrames
 import dev.lazyz.scenes.Tint
+import dev.lazyz.spi.Shader
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
@@ -89,10 +89,10 @@ public object Frames {
      * Returns frames of 3D scenes: polygons with and without holes, meshes of one to dozens of triangles, spheres,
      * points and lines, in front of the camera, behind it, and across its near and far planes, with and without
      * perspective. Vertices may have normals, one or two sets of texture coordinates, tangents and colours. Materials
-     * have every [dev.lazyz.world.material.Shading], highlights, emission, masks, one side or two; some are of the
-     * metallic-roughness model. Textures and other maps have every filter, transformed coordinates and any encoding.
-     * Lights are of every kind, with and without falloff. Some scenes have an environment or tone mapping. No primitive
-     * is translucent.
+     * have every [dev.lazyz.world.material.Material.Shading], highlights, emission, masks, one side or two; some are of
+     * the metallic-roughness model. Textures and other maps have every filter, transformed coordinates and any
+     * encoding. Lights are of every kind, with and without falloff. Some scenes have an environment or tone mapping. No
+     * primitive is translucent.
      *
      * The camera is directed at the surfaces, so that few frames are empty and most samples are covered more than once.
      *
@@ -105,8 +105,8 @@ public object Frames {
 
     /**
      * Returns frames of 3D scenes like [world], in which most materials blend
-     * ([dev.lazyz.world.material.AlphaMode.BLEND]), with the alpha of the material, its texture or vertex colours.
-     * Renderers that do not blend reject most of them.
+     * ([dev.lazyz.world.material.Material.AlphaMode.BLEND]), with the alpha of the material, its texture or vertex
+     * colours. Renderers that do not blend reject most of them.
      */
     @JvmStatic
     @JvmOverloads

@@ -1,7 +1,6 @@
 package dev.lazyz.conformance.frames
 
 import dev.lazyz.Depth
-import dev.lazyz.FillRule
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
@@ -9,6 +8,7 @@ import dev.lazyz.conformance.frames.screen.Piece
 import dev.lazyz.conformance.frames.screen.PolygonPiece
 import dev.lazyz.conformance.frames.screen.ScreenFrames
 import dev.lazyz.conformance.frames.screen.ScreenPolygons
+import dev.lazyz.geometry.FillRule
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
 

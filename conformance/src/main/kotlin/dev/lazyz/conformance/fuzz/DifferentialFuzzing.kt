@@ -4,7 +4,7 @@ import dev.lazyz.Capability
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.asOpaque
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.results.counted
 import dev.lazyz.conformance.run.smallest
@@ -113,7 +113,7 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
     private fun disagreement(recipe: Recipe, whole: FrameCase): String? {
         val case = rendered(recipe, whole)
         val (one, other) = listOf(expected, actual).map { renderer ->
-            runCatching { Rendering.of(renderer.configured(recipe.options().supportedBy(renderer)), case.frame) }
+            runCatching { Recording.of(renderer.configured(recipe.options().supportedBy(renderer)), case.frame) }
         }
         val thrown = listOf(one, other).map { it.exceptionOrNull()?.javaClass?.name }
         if (thrown[0] != thrown[1]) {

@@ -1,7 +1,7 @@
 package dev.lazyz.conformance.fuzz
 
-import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.census.Census

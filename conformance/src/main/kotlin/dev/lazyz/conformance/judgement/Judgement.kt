@@ -3,9 +3,9 @@ package dev.lazyz.conformance.judgement
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Renderer
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.spi.Spans
 
 /**
  * Renders [case] with [renderer] and checks the result. Failure messages name the renderer and contain the code of the
@@ -21,13 +21,13 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
     private val isAgain = TryUnderWay.current?.isAgain(renderer) ?: false
 
     /** The frame, rendered row by row. */
-    val rendering: Rendering = attempt { Rendering.of(renderer, case.frame) }
+    val rendering: Recording = attempt { Recording.of(renderer, case.frame) }
 
     /** Fails unless the picture equals the reference renderer's picture, bit for bit. */
     fun equalsReference(): Judgement = equalsPictureOf(ReferenceRenderer())
 
     /** Fails unless the picture equals that of [oracle], bit for bit. */
-    fun equalsPictureOf(oracle: Renderer): Judgement = equalsPicture(Rendering.of(oracle, case.frame).image)
+    fun equalsPictureOf(oracle: Renderer): Judgement = equalsPicture(Recording.of(oracle, case.frame).image)
 
     /** Fails unless the picture is [expected], bit for bit. */
     fun equalsPicture(expected: Image): Judgement = apply {
@@ -51,12 +51,12 @@ internal class Judgement(private val renderer: Renderer, private val case: Frame
 
     /** Fails with the message [what]. */
     fun fail(what: String, cause: Throwable? = null): Nothing {
-        val expected = Rendering.of(ReferenceRenderer(), case.frame).image
+        val expected = Recording.of(ReferenceRenderer(), case.frame).image
         throw violation(what, expected, rendering.image, cause)
     }
 
     /** Fails because of a [difference]; [lead] is put before its description. */
-    fun fail(lead: String, difference: Difference): Nothing =
+    fun fail(lead: String, difference: FirstDifference): Nothing =
         throw violation("$lead$difference", difference.expected, difference.actual, null)
 
     private fun violation(

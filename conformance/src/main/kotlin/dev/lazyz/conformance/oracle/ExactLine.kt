@@ -1,6 +1,6 @@
 package dev.lazyz.conformance.oracle
 
-import dev.lazyz.FillRule
+import dev.lazyz.geometry.FillRule
 import java.math.BigDecimal
 import java.math.BigInteger
 import java.math.MathContext

@@ -1,11 +1,11 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Primitive
-import dev.lazyz.Spans
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 
 /**
  * The correct picture of a frame of opaque primitives, according to exact surfaces: an oracle for the whole path from

@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.Depth
-import dev.lazyz.DepthConvention
-import dev.lazyz.FillRule
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.world.Camera
 import java.math.BigDecimal
 import java.math.MathContext

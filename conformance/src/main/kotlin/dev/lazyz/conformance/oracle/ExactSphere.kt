@@ -1,12 +1,12 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.Depth
-import dev.lazyz.DepthConvention
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
-import dev.lazyz.world.material.AlphaMode
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Sphere
 import java.math.BigDecimal
 import java.math.MathContext

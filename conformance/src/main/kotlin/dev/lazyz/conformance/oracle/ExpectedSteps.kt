@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.oracle
 
-import dev.lazyz.Coherence
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions.Coherence
+import dev.lazyz.spi.Fragment
 
 /**
  * The expected starts and steps of shading when each row is visited once, for a given [Coherence]: those that reach

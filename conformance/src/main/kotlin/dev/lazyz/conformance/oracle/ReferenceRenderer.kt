@@ -3,12 +3,12 @@ package dev.lazyz.conformance.oracle
 import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
-import dev.lazyz.Spans
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 import java.io.IOException
 
 /**

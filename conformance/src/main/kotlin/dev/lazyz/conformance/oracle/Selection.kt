@@ -2,12 +2,12 @@ package dev.lazyz.conformance.oracle
 
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
-import dev.lazyz.Spans
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 
 /**
  * The oracle of selectors: lists the fragments of each sample as contract rule 5 defines, and chooses one.

@@ -1,10 +1,10 @@
 package dev.lazyz.conformance.probes
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.ALL_GLASS
 import dev.lazyz.conformance.cases.FrameCase
@@ -22,7 +22,7 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.ArbitrarySupplier
 
 /** Whether the renderings of a [Combination] run one after the other or at the same time. */
-internal enum class Turns { ONE_BY_ONE, AT_ONCE }
+internal enum class Concurrency { ONE_BY_ONE, AT_ONCE }
 
 /**
  * Several renderings by one renderer, with settings that may differ from the default.
@@ -39,7 +39,7 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
         listOf(64, 8, 16, 32, 128, 512).chosen(3),
     )
 
-    val turns: Turns = listOf(Turns.ONE_BY_ONE, Turns.ONE_BY_ONE, Turns.AT_ONCE).chosen(4)
+    val turns: Concurrency = listOf(Concurrency.ONE_BY_ONE, Concurrency.ONE_BY_ONE, Concurrency.AT_ONCE).chosen(4)
 
     /** The renderings, in order. */
     val shots: List<Shot> = cases.mapIndexed { i, case -> Shot(case, OPTIONS + i * SHOT) }

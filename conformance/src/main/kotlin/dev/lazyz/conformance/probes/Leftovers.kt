@@ -1,6 +1,5 @@
 package dev.lazyz.conformance.probes
 
-import dev.lazyz.FillRule
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Renderer
@@ -8,7 +7,8 @@ import dev.lazyz.conformance.cases.Confetti
 import dev.lazyz.conformance.frames.Frames
 import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.judgement.inTime
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.geometry.FillRule
+import dev.lazyz.setup.FrameBuilder
 import java.io.ByteArrayOutputStream
 import java.io.OutputStream
 import java.io.PrintStream

@@ -1,10 +1,10 @@
 package dev.lazyz.conformance.probes
 
-import dev.lazyz.FillRule
 import dev.lazyz.Raster
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.frames.screen.PolygonPiece
 import dev.lazyz.conformance.frames.screen.screenCase
+import dev.lazyz.geometry.FillRule
 import java.util.Random
 
 /**

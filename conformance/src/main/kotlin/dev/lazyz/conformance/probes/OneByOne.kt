@@ -2,15 +2,15 @@ package dev.lazyz.conformance.probes
 
 import dev.lazyz.Capability
 import dev.lazyz.Counters
-import dev.lazyz.Drawing
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.StreamingRenderer
+import dev.lazyz.StreamingRenderer.Rendering
 import dev.lazyz.conformance.cases.Glass
-import dev.lazyz.conformance.cases.NothingThere
+import dev.lazyz.conformance.cases.UncoveredPrimitive
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.numbersIn
 
@@ -48,7 +48,7 @@ internal class OneByOne(private val streaming: StreamingRenderer) : Renderer {
     }
 
     /** Counts the primitives that were accepted. */
-    private class Numbering(private val drawing: Drawing) : Drawing by drawing {
+    private class Numbering(private val drawing: Rendering) : Rendering by drawing {
         var accepted = 0
             private set
 
@@ -74,10 +74,10 @@ private class Pushing(private val streaming: StreamingRenderer) : Renderer by st
 internal fun Renderer.ways(): List<Renderer> = listOfNotNull(this, (this as? StreamingRenderer)?.let(::Pushing))
 
 /** Fails unless [drawing] has ended: it must refuse a primitive, and must not deliver rows again. */
-internal fun hasEnded(renderer: Renderer, drawing: Drawing, why: String) {
+internal fun hasEnded(renderer: Renderer, drawing: Rendering, why: String) {
     val answers = mapOf(
-        "add" to answer { drawing.add(NothingThere(Raster(1, 1))) },
-        "add of a translucent primitive" to answer { drawing.add(Glass(NothingThere(Raster(1, 1)))) },
+        "add" to answer { drawing.add(UncoveredPrimitive(Raster(1, 1))) },
+        "add of a translucent primitive" to answer { drawing.add(Glass(UncoveredPrimitive(Raster(1, 1)))) },
         "finish" to answer { drawing.finish { _, _, _, _ -> } },
     )
     for ((call, thrown) in answers) {

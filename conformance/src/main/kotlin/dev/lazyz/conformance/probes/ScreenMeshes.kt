@@ -1,23 +1,22 @@
 package dev.lazyz.conformance.probes
 
-import dev.lazyz.BatchShader
-import dev.lazyz.Fragment
-import dev.lazyz.FragmentBatch
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.Shader
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.spi.BatchShader
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.FragmentBatch
+import dev.lazyz.spi.Shader
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.MipFilter
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import org.joml.Vector3d
 
@@ -203,7 +202,7 @@ private fun grid(random: Random, cells: Int, height: Float, unevenness: Float): 
     }
     val texture = Texture(
         TEXELS, TEXELS, IntArray(TEXELS * TEXELS) { random.nextInt() or Rgba.BLACK.toArgb() },
-        filter = TextureFilter.entries[random.nextInt(TextureFilter.entries.size)],
+        filter = Texture.Filter.entries[random.nextInt(Texture.Filter.entries.size)],
         mipFilter = MipFilter.entries[random.nextInt(MipFilter.entries.size)],
     )
     val shading = if (random.nextBoolean()) Shading.CONSTANT else Shading.PHONG

@@ -2,7 +2,6 @@ package dev.lazyz.conformance.probes
 
 import dev.lazyz.Capability
 import dev.lazyz.Counters
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Primitive
@@ -10,13 +9,14 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Selector
-import dev.lazyz.ShadingCursor
-import dev.lazyz.SpanCursor
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.judgement.Recorder
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.ShadingCursor
+import dev.lazyz.spi.SpanCursor
+import dev.lazyz.spi.Spans
 import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
 

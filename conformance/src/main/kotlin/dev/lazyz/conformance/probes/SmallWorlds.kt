@@ -1,12 +1,11 @@
 package dev.lazyz.conformance.probes
 
 import dev.lazyz.Depth
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
-import dev.lazyz.FillRule
 import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.cases.Rasters
@@ -15,7 +14,8 @@ import dev.lazyz.conformance.frames.screen.screenCase
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.oracle.ExactPolygon
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.geometry.FillRule
+import dev.lazyz.setup.FrameBuilder
 
 /**
  * Tests [renderer] with every ordered pair of a few dozen shapes on a raster of 3 x 2 samples, with all four depth

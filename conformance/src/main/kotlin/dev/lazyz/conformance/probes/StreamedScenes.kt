@@ -1,29 +1,29 @@
 package dev.lazyz.conformance.probes
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.judgement.Judgement
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.geometry.Box
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.MeshSource
 import dev.lazyz.world.surface.StreamedMesh
+import dev.lazyz.world.surface.StreamedMesh.MeshSource
 import java.util.Random
 import org.joml.Vector3dc
 
@@ -50,7 +50,7 @@ internal fun streamedIsTheSame(renderer: Renderer, salt: Long) {
     val (frame, same) = streamed(salt, canBlend)
     val refused = answer { renderer.inTime(frame) { _, _, _, _ -> } }
     if (refused is IllegalArgumentException) return
-    val expected = Rendering.of(ReferenceRenderer(), same).image
+    val expected = Recording.of(ReferenceRenderer(), same).image
     Judgement(renderer, FrameCase(frame, "SuiteFrames.streamed(${salt}L, $canBlend)"), "streamed meshes")
         .equalsPicture(expected)
 }

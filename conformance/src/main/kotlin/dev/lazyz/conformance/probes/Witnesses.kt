@@ -1,17 +1,17 @@
 package dev.lazyz.conformance.probes
 
-import dev.lazyz.Cell
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.Selector
-import dev.lazyz.ShadingCursor
-import dev.lazyz.SpanCursor
-import dev.lazyz.Spans
+import dev.lazyz.Selector.Cell
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.ShadingCursor
+import dev.lazyz.spi.SpanCursor
+import dev.lazyz.spi.Spans
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicIntegerArray
 import java.util.concurrent.atomic.AtomicLong

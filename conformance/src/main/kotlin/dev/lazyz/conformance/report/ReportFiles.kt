@@ -91,9 +91,13 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
     private companion object {
         /** The imports of a frame's code, see [FrameCase.code]. */
         val IMPORTS = listOf(
-            "dev.lazyz.*", "dev.lazyz.conformance.SuiteFrames", "dev.lazyz.conformance.cases.*",
-            "dev.lazyz.conformance.frames.*", "dev.lazyz.world.*", "dev.lazyz.world.material.*",
-            "dev.lazyz.world.surface.*", "org.joml.Vector3d",
+            "dev.lazyz.*", "dev.lazyz.Raster.DepthConvention", "dev.lazyz.conformance.SuiteFrames",
+            "dev.lazyz.conformance.cases.*", "dev.lazyz.conformance.frames.*", "dev.lazyz.geometry.*",
+            "dev.lazyz.setup.*", "dev.lazyz.spi.*", "dev.lazyz.world.*", "dev.lazyz.world.Light.Falloff",
+            "dev.lazyz.world.material.*", "dev.lazyz.world.material.Material.*",
+            "dev.lazyz.world.material.Texture.MipFilter",
+            "dev.lazyz.world.material.TextureMap.UvTransform", "dev.lazyz.world.surface.*",
+            "dev.lazyz.world.surface.Polygon.Vertex", "org.joml.Vector3d",
         )
 
         val ENDINGS = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png") +

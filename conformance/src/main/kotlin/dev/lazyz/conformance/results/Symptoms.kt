@@ -2,16 +2,16 @@ package dev.lazyz.conformance.results
 
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.Confetti
 import dev.lazyz.conformance.cases.FrameCase
-import dev.lazyz.conformance.cases.NothingThere
 import dev.lazyz.conformance.cases.Rasters
-import dev.lazyz.conformance.judgement.Difference
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.cases.UncoveredPrimitive
+import dev.lazyz.conformance.judgement.FirstDifference
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.rules.Symptom
+import dev.lazyz.spi.Spans
 import java.util.EnumSet
 
 /** Determines the [Symptom]s of a failure from its frame and its pictures. */
@@ -67,21 +67,21 @@ internal object Symptoms {
         if (case.scene?.isOnScreen == false) symptoms.add(Symptom.IN_SPACE)
         if (frame.primitives.isEmpty()) symptoms.add(Symptom.NO_PRIMITIVES)
         if (frame.primitives.size > MANY) symptoms.add(Symptom.MANY_PRIMITIVES)
-        if (frame.primitives.asSequence().take(MANY).any { it.rowStart >= it.rowEnd || it is NothingThere }) {
+        if (frame.primitives.asSequence().take(MANY).any { it.rowStart >= it.rowEnd || it is UncoveredPrimitive }) {
             symptoms.add(Symptom.EMPTY_PRIMITIVE)
         }
         if (raster.width == 1 || raster.height == 1) symptoms.add(Symptom.NARROW)
     }
 
     /** Adds the symptoms that the first differing sample shows. */
-    private fun ofSample(frame: Frame, difference: Difference, symptoms: MutableSet<Symptom>) {
+    private fun ofSample(frame: Frame, difference: FirstDifference, symptoms: MutableSet<Symptom>) {
         val x = difference.x
         val y = difference.y
         val right = difference.expected.primitive(x, y)
         val shown = difference.actual.primitive(x, y)
         val depth = difference.expected.depth(x, y)
         val raster = frame.raster
-        if (difference.actual.depth.any { it == Rendering.MISSING }) {
+        if (difference.actual.depth.any { it == Recording.MISSING }) {
             symptoms.add(Symptom.ROWS)
             return
         }

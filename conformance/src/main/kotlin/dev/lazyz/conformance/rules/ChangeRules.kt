@@ -1,10 +1,10 @@
 package dev.lazyz.conformance.rules
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.DepthTest
 import dev.lazyz.Image
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Renderer
 import dev.lazyz.Selector
 import dev.lazyz.conformance.cases.FrameCase
@@ -21,7 +21,7 @@ import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.ScreenCases
 import dev.lazyz.conformance.frames.screen.moved
 import dev.lazyz.conformance.judgement.Judgement
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.isTie
@@ -204,7 +204,7 @@ public sealed interface ChangeRules : RulesForOne {
 
     /** Fails if [renderer] is another one after it has been asked for a renderer with other options. */
     private fun leavesItself(renderer: Renderer, case: FrameCase) {
-        fun shaded() = Rendering.of(renderer, case.frame).let { it.image to it.counters.shadingSteps }
+        fun shaded() = Recording.of(renderer, case.frame).let { it.image to it.counters.shadingSteps }
         val (image, steps) = shaded()
         val none = Selector { _ -> }
         for (coherence in Coherence.entries) {

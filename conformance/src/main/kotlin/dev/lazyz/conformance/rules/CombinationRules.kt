@@ -7,8 +7,8 @@ import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.probes.Combination
+import dev.lazyz.conformance.probes.Concurrency
 import dev.lazyz.conformance.probes.Trap
-import dev.lazyz.conformance.probes.Turns
 import dev.lazyz.conformance.probes.failsAsPlanned
 import dev.lazyz.conformance.probes.threads.atOnce
 import net.jqwik.api.EdgeCasesMode
@@ -36,9 +36,9 @@ public sealed interface CombinationRules : RulesForOne {
         val options = combination.options.supportedBy(renderer)
         val usual = renderer.configured(options)
         when (combination.turns) {
-            Turns.ONE_BY_ONE -> combination.shots.forEach { taken(renderer, usual, options, it) }
+            Concurrency.ONE_BY_ONE -> combination.shots.forEach { taken(renderer, usual, options, it) }
 
-            Turns.AT_ONCE -> {
+            Concurrency.AT_ONCE -> {
                 val capabilities = renderer.capabilities
                 val how = "$options, ${combination.shots.size} frames at once"
                 atOnce(combination.shots) {

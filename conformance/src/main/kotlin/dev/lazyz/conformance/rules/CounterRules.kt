@@ -1,8 +1,8 @@
 package dev.lazyz.conformance.rules
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Renderer
 import dev.lazyz.Selector
 import dev.lazyz.conformance.cases.FrameCase
@@ -15,7 +15,7 @@ import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.TranslucentCases
 import dev.lazyz.conformance.judgement.Judgement
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.ExpectedSteps
@@ -70,7 +70,7 @@ public sealed interface CounterRules : RulesForOne {
     }
 
     private fun fragmentsAreCovered(renderer: Renderer, case: FrameCase, salt: Int) {
-        val reference = Rendering.of(ReferenceRenderer(), case.frame)
+        val reference = Recording.of(ReferenceRenderer(), case.frame)
         val covered = reference.image.counters.fragments
         val visible = reference.image.visible
 
@@ -88,7 +88,7 @@ public sealed interface CounterRules : RulesForOne {
         }
         for (index in case.frame.primitives.indices.take(MOST_ALONE)) {
             val alone = case.alone(index)
-            val all = Rendering.of(ReferenceRenderer(), alone.frame).counters.fragments
+            val all = Recording.of(ReferenceRenderer(), alone.frame).counters.fragments
             val itself = Judgement(renderer, alone)
             val found = itself.rendering.counters.fragments
             if (found != all) itself.fail("$all samples are covered, but $found fragments are counted")
@@ -104,7 +104,7 @@ public sealed interface CounterRules : RulesForOne {
     public fun rule_8_1_passesAreAtMostTheFragments(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val judgement = Judgement(renderer(), case)
         val counters = judgement.rendering.counters
-        val covered = Rendering.of(ReferenceRenderer(), case.frame).counters.fragments
+        val covered = Recording.of(ReferenceRenderer(), case.frame).counters.fragments
         if (counters.depthPasses > covered) {
             judgement.fail("$covered samples are covered, but ${counters.depthPasses} depth passes are counted")
         }
@@ -284,7 +284,7 @@ public sealed interface CounterRules : RulesForOne {
         requireDeclared(renderer, Capability.TRANSPARENCY)
         requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)
         for (each in listOf(case, case.dazzling(), case.withinAny(Random(salt)))) {
-            val showing = Rendering.of(ReferenceRenderer(), each.frame).counters.shadingCalls
+            val showing = Recording.of(ReferenceRenderer(), each.frame).counters.shadingCalls
             val witness = ShadingWitness(each.frame)
             val judgement = Judgement(renderer, each.watched(witness.frame))
             val calls = judgement.rendering.counters.shadingCalls

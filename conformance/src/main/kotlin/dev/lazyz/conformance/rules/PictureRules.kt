@@ -1,10 +1,10 @@
 package dev.lazyz.conformance.rules
 
 import dev.lazyz.Capability
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.conformance.cases.ALL_GLASS
 import dev.lazyz.conformance.cases.Confetti
 import dev.lazyz.conformance.cases.FrameCase
@@ -28,7 +28,7 @@ import dev.lazyz.conformance.frames.TranslucentCases
 import dev.lazyz.conformance.frames.WorldCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.NotDeclared
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.refused
 import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.ReferenceRenderer
@@ -78,7 +78,7 @@ public sealed interface PictureRules : RulesForOne {
         @ForAll(supplier = ScreenCases::class) case: FrameCase,
     ) {
         // Put the background in front of everything, behind everything, and at the depth of a visible sample
-        val visible = Rendering.of(ReferenceRenderer(), case.frame).image.depth
+        val visible = Recording.of(ReferenceRenderer(), case.frame).image.depth
         for (depth in listOf(0, Int.MAX_VALUE, visible[visible.size / 2])) {
             val raster = case.frame.raster.withBackgroundDepth(depth)
             Judgement(renderer(), case.on(raster)).equalsReference()

@@ -1,15 +1,15 @@
 package dev.lazyz.conformance.rules
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.halfHeavyAndDark
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.judgement.Judgement
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.judgement.requireDeclared
@@ -186,7 +186,7 @@ public sealed interface PromiseRules : RulesForOne {
 
             // The image's memory is at most what a frame without primitives takes, and at most what is held with any
             // budget
-            val empty = Rendering.of(configured, Frame(case.frame.raster, emptyList(), case.frame.region))
+            val empty = Recording.of(configured, Frame(case.frame.raster, emptyList(), case.frame.region))
             least = minOf(least, empty.counters.peakBytes, judgement.rendering.counters.peakBytes)
             val held = judgement.rendering.counters.peakBytes - least
             if (held > budget) judgement.fail("$held bytes are held in addition to the image's, at most $least")

@@ -9,7 +9,7 @@ import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.ThousandLayersCases
 import dev.lazyz.conformance.judgement.Judgement
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.oracle.Selection
@@ -67,7 +67,7 @@ public sealed interface SelectionRules : RulesForOne {
         val renderer = renderer()
         requireDeclared(renderer, Capability.SELECTION)
         val part = case.withinAny(Random(salt))
-        val expected = Rendering.of(ReferenceRenderer(), part.frame).image
+        val expected = Recording.of(ReferenceRenderer(), part.frame).image
         for (threads in 1..2) {
             val witness = CellWitness(part.frame.region)
             val shading = ShadingWitness(part.frame)

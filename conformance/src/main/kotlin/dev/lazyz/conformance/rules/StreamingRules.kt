@@ -11,7 +11,7 @@ import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.judgement.Judgement
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.requireStreaming
 import dev.lazyz.conformance.oracle.ReferenceRenderer
@@ -38,7 +38,7 @@ public sealed interface StreamingRules : RulesForOne {
     @Rule(
         intent = "A StreamingRenderer gives the same picture however it gets the primitives, and may draw several " +
             "pictures at the same time.",
-        look = "Draw in both ways by the same code, and keep what belongs to a picture in the Drawing. A primitive " +
+        look = "Draw in both ways by the same code, and keep what belongs to a picture in the Rendering. A primitive " +
             "that is refused has no index.",
     )
     @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
@@ -56,7 +56,7 @@ public sealed interface StreamingRules : RulesForOne {
         val accepted = glazed.frame.primitives.filter { isBlending || !it.isTranslucent }
         val expected = Frame(case.frame.raster, accepted, case.frame.region)
         Judgement(OneByOne(renderer), glazed, "primitives one by one, some translucent")
-            .equalsPicture(Rendering.of(ReferenceRenderer(), expected).image)
+            .equalsPicture(Recording.of(ReferenceRenderer(), expected).image)
     }
 
     /**
@@ -112,7 +112,7 @@ public sealed interface StreamingRules : RulesForOne {
     /** A picture that is complete, or whose primitive failed, takes no more primitives and delivers no more rows. */
     @Rule(
         intent = "A picture cannot be continued after it was delivered, or after a primitive failed half-way.",
-        look = "Throw IllegalStateException from both functions of the Drawing once finish was called or add has " +
+        look = "Throw IllegalStateException from both functions of the Rendering once finish was called or add has " +
             "thrown.",
     )
     @Property(tries = 30, seed = FIXED, edgeCases = EdgeCasesMode.NONE)

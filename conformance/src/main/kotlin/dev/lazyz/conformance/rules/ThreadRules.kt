@@ -11,7 +11,7 @@ import dev.lazyz.conformance.cases.changed.watched
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.SeveralCases
 import dev.lazyz.conformance.judgement.Judgement
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.inTime
@@ -84,7 +84,7 @@ public sealed interface ThreadRules : RulesForOne {
         val sink = OverwritingSink(case.frame)
         val counters = renderer.inTime(case.frame, sink)
         sink.complaint?.let { Judgement(renderer, case).fail(it) }
-        val expected = Rendering.of(ReferenceRenderer(), case.frame).image
+        val expected = Recording.of(ReferenceRenderer(), case.frame).image
         val difference = difference(expected, sink.image(counters)) ?: return
         Judgement(renderer, case, "a sink that overwrites its rows").fail("", difference)
     }
@@ -125,7 +125,7 @@ public sealed interface ThreadRules : RulesForOne {
             for (inner in listOf(other, ofSameSize)) {
                 val sink = RenderingSink(outer.frame) { Judgement(renderer, inner).equalsReference() }
                 val counters = renderer.inTime(outer.frame, sink)
-                val expected = Rendering.of(ReferenceRenderer(), outer.frame).image
+                val expected = Recording.of(ReferenceRenderer(), outer.frame).image
                 val difference = difference(expected, sink.image(counters)) ?: continue
                 Judgement(renderer, outer, "a sink that renders").fail("", difference)
             }

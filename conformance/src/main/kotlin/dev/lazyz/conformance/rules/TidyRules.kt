@@ -1,7 +1,7 @@
 package dev.lazyz.conformance.rules
 
-import dev.lazyz.Coherence
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.conformance.probes.leavesNothingBehind
 import dev.lazyz.conformance.probes.memory.leavesNoObjects
 import dev.lazyz.conformance.probes.memory.leavesNoSizes

@@ -32,8 +32,8 @@ internal class Deadline(
     private val times: () -> ThreadTimes,
     clock: () -> Long = System::nanoTime,
 ) {
-    private val wall = Patience(limit.multipliedBy(WALL), clock)
-    private val sleep = Patience(limit, clock)
+    private val wall = StallTimer(limit.multipliedBy(WALL), clock)
+    private val sleep = StallTimer(limit, clock)
     private var start = times()
     private var last = start
 
@@ -45,7 +45,7 @@ internal class Deadline(
         hasProgress = true
     }
 
-    /** Returns null while there is time left. Call it every [Patience.POLL]. */
+    /** Returns null while there is time left. Call it every [StallTimer.POLL]. */
     fun lateness(): Lateness? {
         val now = times()
         if (hasProgress) {
@@ -146,7 +146,7 @@ internal class ThreadTimes(val all: Map<Long, Long>, val own: Map<Long, Long>, v
  *
  * @param clock returns nanoseconds, like [System.nanoTime]
  */
-internal class Patience(private val limit: Duration, private val clock: () -> Long = System::nanoTime) {
+internal class StallTimer(private val limit: Duration, private val clock: () -> Long = System::nanoTime) {
     @Volatile
     private var hasProgress = true
     private var last = clock()

@@ -38,10 +38,10 @@ internal class Effort :
     /**
      * The tally of the current test class. jqwik creates one hook for all classes, and runs one class after the other.
      */
-    private var tally = Tally()
+    private var tally = RuleFailures()
 
     override fun beforeContainer(context: ContainerLifecycleContext) {
-        tally = Tally()
+        tally = RuleFailures()
         context.optionalContainerClass().ifPresent { requireRulesNotOverridden(it) }
     }
 
@@ -109,7 +109,7 @@ internal class Effort :
         context: PropertyLifecycleContext,
         property: PropertyExecutor,
     ): PropertyExecutionResult {
-        LastWords.keep()
+        ExitMessage.keep()
         Trial.current = trial
         try {
             val result = property.execute()
@@ -196,7 +196,7 @@ internal object KeptFailure {
  * If the process ends during a try, prints the rule and the frame to standard error. Also prints a message if the
  * process ends while the renderer is created.
  */
-internal object LastWords {
+internal object ExitMessage {
     init {
         Runtime.getRuntime().addShutdownHook(Thread({ tell() }, "lazyz-last-words"))
     }

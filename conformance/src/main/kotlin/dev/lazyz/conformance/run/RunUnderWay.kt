@@ -67,7 +67,7 @@ internal class RunUnderWay(
     )
 
     /** The user's frames come first: past failures are the most likely to fail again. */
-    private fun inOrder() = rules.sortedByDescending { settings.frames != null && it.name == OwnFrames.RULE }
+    private fun inOrder() = rules.sortedByDescending { settings.frames != null && it.name == FrameFolder.RULE }
 
     private fun request() = LauncherDiscoveryRequestBuilder.request()
         .selectors(inOrder().map { selectMethod(subject, it.method) })

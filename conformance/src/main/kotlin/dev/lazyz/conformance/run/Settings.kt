@@ -18,7 +18,7 @@ internal class Settings(
     val waivers: Waivers,
     val shrinking: Shrinking,
     val deadline: Duration,
-    val frames: OwnFrames?,
+    val frames: FrameFolder?,
 ) {
     /** Returns the report of a run with these settings; see [ConformanceReport] for the parameters. */
     fun report(
@@ -65,7 +65,7 @@ internal class Settings(
 
         fun frames(): Path? = System.getProperty(SuiteProperties.FRAMES)?.let { Path.of(it) }
 
-        private fun ownFrames(): OwnFrames? = frames()?.let { OwnFrames(it) }
+        private fun ownFrames(): FrameFolder? = frames()?.let { FrameFolder(it) }
 
         fun waivers(): Waivers =
             System.getProperty(Waivers.PROPERTY)?.let { Waivers.read(Path.of(it)) } ?: Waivers.NONE
@@ -76,7 +76,7 @@ internal class Settings(
 internal class NotRun(val why: String, val outcome: RuleOutcome)
 
 /** Counts failures of the rules of one test class, as far as they affect the following rules. */
-internal class Tally {
+internal class RuleFailures {
     private var broken = 0
     private var timeOuts = 0
     private var inconclusive = 0

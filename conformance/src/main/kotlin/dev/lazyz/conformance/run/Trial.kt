@@ -41,7 +41,7 @@ internal class Trial(
 ) : TryUnderWay,
     AutoCloseable {
     /** The user's own frames; null if there are none. */
-    var own: OwnFrames? = null
+    var own: FrameFolder? = null
 
     /** The settings of the process before the run; null if other code uses the same process. */
     var settingsBefore: SettingsBefore? = null

@@ -35,7 +35,7 @@ internal class TryThread(limit: Duration) : AutoCloseable {
         try {
             while (true) {
                 try {
-                    return future.get(Patience.POLL.toMillis(), TimeUnit.MILLISECONDS)
+                    return future.get(StallTimer.POLL.toMillis(), TimeUnit.MILLISECONDS)
                 } catch (_: TimeoutException) {
                     deadline.lateness()?.let { throw late(it) }
                 }

@@ -4,7 +4,7 @@ import static dev.lazyz.conformance.PictureAssertions.assertSamePicture;
 
 import dev.lazyz.conformance.cases.FrameCase;
 import dev.lazyz.conformance.oracle.ReferenceRenderer;
-import dev.lazyz.strategies.zbuffer.ZBuffer;
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -15,7 +15,8 @@ class HolesFromJavaProperties {
     @Property(tries = 200, seed = "1995")
     void holesBehindHoles(@ForAll("holes") FrameCase frameCase) throws InterruptedException {
         var frame = frameCase.getFrame();
-        assertSamePicture(new ReferenceRenderer().render(frame), new ZBuffer().render(frame), frameCase.getCode());
+        assertSamePicture(
+                new ReferenceRenderer().render(frame), new ZBufferRenderer().render(frame), frameCase.getCode());
     }
 
     @Provide

@@ -1,15 +1,15 @@
 package dev.lazyz.conformance.cases
 
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
-import dev.lazyz.FillRule
 import dev.lazyz.Frame
-import dev.lazyz.LinearForm
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.frames.Frames
 import dev.lazyz.conformance.frames.screen.PolygonPiece
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.geometry.FillRule
+import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.spi.LinearForm
 
 /** Parses the Kotlin code of frames in screen space, as strictly as a compiler would. */
 internal class CodeReader(private val code: String) {

@@ -1,7 +1,6 @@
 package dev.lazyz.conformance.cases
 
 import dev.lazyz.DepthTest
-import dev.lazyz.FillRule
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.conformance.cases.changed.asOpaque
@@ -19,18 +18,19 @@ import dev.lazyz.conformance.frames.Frames
 import dev.lazyz.conformance.frames.screen.ConfettiPiece
 import dev.lazyz.conformance.frames.screen.PolygonPiece
 import dev.lazyz.conformance.frames.screen.screenCase
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.scenes.scenefile.SceneFile
+import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.world.Camera
-import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere
-import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
@@ -83,7 +83,7 @@ class SceneFileFramesTest {
         assertNull(difference(expected, actual)) { "${difference(expected, actual)}\n$text" }
     }
 
-    private fun picture(frame: Frame) = Rendering.of(ReferenceRenderer(), frame).image
+    private fun picture(frame: Frame) = Recording.of(ReferenceRenderer(), frame).image
 
     @Property(seed = "1995", tries = 300)
     fun polygonsOnTheScreenHaveOne(@ForAll("polygons") case: FrameCase) {

@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.frames
 
 import dev.lazyz.Frame
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.spi.Spans
 import java.util.Random
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Example
@@ -99,7 +99,7 @@ class DenseFramesTest {
         frame.primitives.indices.maxOfOrNull { i -> (0 until frame.height).maxOf { value(frame, it, i) } } ?: 0
 
     private fun spans(frame: Frame, y: Int, index: Int) =
-        Spans(frame.region).also { frame.primitives[index].spans(y, it) }
+        frame.region.spans().also { frame.primitives[index].spans(y, it) }
 
     private fun some(frames: Arbitrary<FrameCase>): List<Frame> {
         val generator = frames.generator(1000)

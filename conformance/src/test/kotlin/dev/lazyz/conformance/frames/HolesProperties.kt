@@ -3,7 +3,7 @@ package dev.lazyz.conformance.frames
 import dev.lazyz.conformance.assertSamePicture
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.oracle.ReferenceRenderer
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -13,7 +13,7 @@ import net.jqwik.api.Provide
 class HolesProperties {
     @Property(tries = 200, seed = "1995")
     fun holesBehindHoles(@ForAll("holes") case: FrameCase) =
-        assertSamePicture(ReferenceRenderer().render(case.frame), ZBuffer().render(case.frame), case.code)
+        assertSamePicture(ReferenceRenderer().render(case.frame), ZBufferRenderer().render(case.frame), case.code)
 
     @Provide
     fun holes(): Arbitrary<FrameCase> = Frames.of(

@@ -2,8 +2,8 @@ package dev.lazyz.conformance.frames
 
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
-import dev.lazyz.Spans
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.spi.Spans
 
 /** A property of a frame's picture, for statistics of distributions. */
 internal enum class PictureTrait {

@@ -2,10 +2,10 @@ package dev.lazyz.conformance.frames
 
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.mutants.coversAnything
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.spi.Spans
 import dev.lazyz.world.surface.Mesh
 import java.util.Random
 import net.jqwik.api.Arbitrary

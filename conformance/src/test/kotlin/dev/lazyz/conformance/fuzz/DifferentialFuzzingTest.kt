@@ -3,8 +3,8 @@ package dev.lazyz.conformance.fuzz
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.mutants.wrappers.BasicMistakes
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.hierarchical.HierarchicalRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Random
@@ -20,11 +20,12 @@ import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 class DifferentialFuzzingTest {
-    private fun fuzzing(actual: Renderer, frames: Long = FRAMES) = DifferentialFuzzing(ZBuffer(), actual).frames(frames)
+    private fun fuzzing(actual: Renderer, frames: Long = FRAMES) =
+        DifferentialFuzzing(ZBufferRenderer(), actual).frames(frames)
 
     @Test
     fun renderersThatAgreeAreFoundToAgree() {
-        val report = fuzzing(HierarchicalZBuffer()).run()
+        val report = fuzzing(HierarchicalRenderer()).run()
         assertTrue(report.isEqual, report.toText())
         assertEquals(FRAMES, report.frames)
         assertTrue("hierarchical against zbuffer: $FRAMES frames, 0 of them from the corpus" in report.toText())
@@ -56,7 +57,7 @@ class DifferentialFuzzingTest {
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun corpusIsWhatTheNextRunBeginsWith(@TempDir folder: Path) {
-        fuzzing(HierarchicalZBuffer()).corpus(folder).run()
+        fuzzing(HierarchicalRenderer()).corpus(folder).run()
         val recipes = folder.resolve("recipes.txt").readLines()
         assertTrue(recipes.size > FRAMES / 2, "$recipes")
 

@@ -10,7 +10,7 @@ import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /** A renderer with one mistake. */
 open class BrokenRenderer(
@@ -31,12 +31,12 @@ open class BrokenRenderer(
 
 /** Changes a correct picture before it delivers it. */
 internal fun painting(id: String, change: (Image, Frame) -> Image) = BrokenRenderer(id) { frame, sink ->
-    emit(change(ZBuffer().render(frame), frame), sink)
+    emit(change(ZBufferRenderer().render(frame), frame), sink)
 }
 
 /** Renders a changed frame. */
 internal fun drawing(id: String, change: (Frame) -> Frame) =
-    BrokenRenderer(id) { frame, sink -> ZBuffer().render(change(frame), sink) }
+    BrokenRenderer(id) { frame, sink -> ZBufferRenderer().render(change(frame), sink) }
 
 /** Replaces primitives by what [change] returns for them. */
 internal fun primitives(id: String, change: (Primitive) -> Primitive) =
@@ -44,11 +44,11 @@ internal fun primitives(id: String, change: (Primitive) -> Primitive) =
 
 /** Delivers the rows of the correct picture in the [order] for their number. */
 internal fun rows(id: String, order: (Int) -> List<Int>) =
-    BrokenRenderer(id) { frame, sink -> emit(ZBuffer().render(frame), sink, order(frame.height)) }
+    BrokenRenderer(id) { frame, sink -> emit(ZBufferRenderer().render(frame), sink, order(frame.height)) }
 
 /** Renders correctly, but changes the counters by [change]. */
 internal fun counting(id: String, change: Counters.Builder.(Image) -> Unit) = BrokenRenderer(id) { frame, sink ->
-    val image = ZBuffer().render(frame)
+    val image = ZBufferRenderer().render(frame)
     emit(image, sink).toBuilder().apply { change(image) }.build()
 }
 

@@ -1,10 +1,10 @@
 package dev.lazyz.conformance.mutants
 
-import dev.lazyz.Fragment
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.changed.Recovered
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.Spans
 
 /** A primitive as seen by a renderer that misreads spans. */
 internal abstract class Misread(primitive: Primitive) : Recovered(primitive) {

@@ -2,11 +2,11 @@ package dev.lazyz.conformance.mutants
 
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
-import dev.lazyz.Spans
 import dev.lazyz.conformance.probes.answer
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 
 /**
  * State of the threads of a [Crew]. Each thread has its own, if these functions create new instances.

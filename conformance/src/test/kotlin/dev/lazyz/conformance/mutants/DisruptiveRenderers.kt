@@ -1,7 +1,7 @@
 package dev.lazyz.conformance.mutants
 
 import dev.lazyz.Frame
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.util.concurrent.CountDownLatch
 
 /**
@@ -45,7 +45,7 @@ object DisruptiveRenderers {
     fun racy(): BrokenRenderer {
         var calls = 0
         return BrokenRenderer("racy") { frame, sink ->
-            if (++calls % 10 == 0) WrongColors().render(frame, sink) else ZBuffer().render(frame, sink)
+            if (++calls % 10 == 0) WrongColors().render(frame, sink) else ZBufferRenderer().render(frame, sink)
         }
     }
 
@@ -55,7 +55,7 @@ object DisruptiveRenderers {
         return BrokenRenderer("stateful") { frame, sink ->
             val isWrong = lastWidth > frame.width * 4
             lastWidth = frame.width
-            if (isWrong) WrongColors().render(frame, sink) else ZBuffer().render(frame, sink)
+            if (isWrong) WrongColors().render(frame, sink) else ZBufferRenderer().render(frame, sink)
         }
     }
 
@@ -63,6 +63,6 @@ object DisruptiveRenderers {
 
     private fun whereThereIsSomething(id: String, block: (Frame) -> Any?) = BrokenRenderer(id) { frame, sink ->
         if (frame.primitives.size > 2) block(frame)
-        ZBuffer().render(frame, sink)
+        ZBufferRenderer().render(frame, sink)
     }
 }

@@ -3,15 +3,15 @@ package dev.lazyz.conformance.mutants
 import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.Spans
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.util.Random
 
 /** Renderers that work in unusual ways but are correct. The suite must not fail them. */
@@ -104,7 +104,7 @@ internal object UnusualRenderers {
         for (start in region.rowStart until region.rowEnd step BAND) {
             val end = minOf(start + BAND, region.rowEnd)
             val band = frame.within(Region(region.columnStart, start, region.columnEnd, end))
-            val image = ZBuffer().render(band)
+            val image = ZBufferRenderer().render(band)
             emit(image, sink)
             sum.fragments += image.counters.fragments
             sum.depthEvaluations += image.counters.depthEvaluations
@@ -117,7 +117,12 @@ internal object UnusualRenderers {
     }
 
     /** Overwrites each row as soon as the sink has returned. */
-    private fun overwriting(frame: Frame, sink: RowSink): Counters = ZBuffer().render(frame) { y, argb, depth, owner ->
+    private fun overwriting(frame: Frame, sink: RowSink): Counters = ZBufferRenderer().render(frame) {
+            y,
+            argb,
+            depth,
+            owner
+        ->
         val rows = listOf(argb, depth, owner).map { it.copyOf() }
         sink.row(y, rows[0], rows[1], rows[2])
         for (row in rows) row.fill(GARBAGE)
@@ -125,8 +130,8 @@ internal object UnusualRenderers {
 
     /** Renders everything twice, and delivers the second picture. */
     private fun twice(frame: Frame, sink: RowSink): Counters {
-        val first = ZBuffer().render(frame).counters
-        val second = emit(ZBuffer().render(frame), sink).toBuilder()
+        val first = ZBufferRenderer().render(frame).counters
+        val second = emit(ZBufferRenderer().render(frame), sink).toBuilder()
         second.shadingCalls += first.shadingCalls
         second.depthEvaluations += first.depthEvaluations
         return second.build()

@@ -5,7 +5,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /** Correct, without capabilities. */
 open class PlainRenderer(override val id: String = "plain") : Renderer {
@@ -13,7 +13,7 @@ open class PlainRenderer(override val id: String = "plain") : Renderer {
 
     override val capabilities: Set<Capability> get() = emptySet()
 
-    override fun render(frame: Frame, sink: RowSink): Counters = ZBuffer().render(frame, sink)
+    override fun render(frame: Frame, sink: RowSink): Counters = ZBufferRenderer().render(frame, sink)
 }
 
 /** Inverts the red component at the first sample of each row. */

@@ -3,11 +3,11 @@ package dev.lazyz.conformance.oracle
 import dev.lazyz.Rgba
 import dev.lazyz.world.AmbientVisibility
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
+import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Projection
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import org.joml.Vector3d
 import org.joml.Vector3dc
 

@@ -1,16 +1,16 @@
 package dev.lazyz.conformance.oracle
 
-import dev.lazyz.FillRule
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Raster
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.CodeReader
 import dev.lazyz.conformance.cases.oneOf
 import dev.lazyz.conformance.frames.FrameKind
 import dev.lazyz.conformance.frames.FrameMix
 import dev.lazyz.conformance.frames.Frames
 import dev.lazyz.conformance.probes.exact
+import dev.lazyz.geometry.FillRule
+import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
@@ -18,9 +18,9 @@ import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import net.jqwik.api.Example
 import org.joml.Vector3d

@@ -1,6 +1,6 @@
 package dev.lazyz.conformance.oracle
 
-import dev.lazyz.FillRule
+import dev.lazyz.geometry.FillRule
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test

@@ -4,10 +4,10 @@ import dev.lazyz.Raster
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Sphere
@@ -65,7 +65,7 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         return Corner(n)
     }
 
-    private fun corner(vertex: dev.lazyz.world.surface.Vertex): Corner {
+    private fun corner(vertex: dev.lazyz.world.surface.Polygon.Vertex): Corner {
         val color = vertex.color
         val n = DoubleArray(Corner.SIZE)
         doubleArrayOf(vertex.x, vertex.y, vertex.z).copyInto(n, Corner.WORLD)

@@ -1,8 +1,6 @@
 package dev.lazyz.conformance.oracle
 
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.frames.world.WorldFrames
 import dev.lazyz.conformance.mutants.wrappers.Changes
@@ -10,9 +8,11 @@ import dev.lazyz.conformance.mutants.wrappers.Inside
 import dev.lazyz.conformance.mutants.wrappers.LightChanges
 import dev.lazyz.conformance.mutants.wrappers.MapChanges
 import dev.lazyz.conformance.mutants.wrappers.ShadingMistakes
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Light
-import dev.lazyz.world.material.MipFilter
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
 import java.util.Random

@@ -1,9 +1,6 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureFilter
-import dev.lazyz.world.material.TextureWrap
 
 /** Reads a texture as contract rule 6.6 defines without a mip filter, in double precision. */
 internal class ExactTexture(private val texture: Texture) {
@@ -11,7 +8,7 @@ internal class ExactTexture(private val texture: Texture) {
     fun at(u: Double, v: Double): DoubleArray {
         val x = u * texture.width
         val y = v * texture.height
-        if (texture.filter == TextureFilter.NEAREST) return texel(Math.floor(x).toLong(), Math.floor(y).toLong())
+        if (texture.filter == Texture.Filter.NEAREST) return texel(Math.floor(x).toLong(), Math.floor(y).toLong())
         val left = Math.floor(x - 0.5)
         val top = Math.floor(y - 0.5)
         val sum = DoubleArray(4)
@@ -36,12 +33,12 @@ internal class ExactTexture(private val texture: Texture) {
     }
 
     private fun decoded(code: Int): Double =
-        if (texture.encoding == TextureEncoding.SRGB) linear(code) else code / 255.0
+        if (texture.encoding == Texture.Encoding.SRGB) linear(code) else code / 255.0
 
-    private fun wrapped(index: Long, size: Int, wrap: TextureWrap): Int = when (wrap) {
-        TextureWrap.REPEAT -> Math.floorMod(index, size)
-        TextureWrap.MIRROR -> Math.floorMod(index, 2 * size).let { if (it < size) it else 2 * size - 1 - it }
-        TextureWrap.CLAMP -> index.coerceIn(0L, size - 1L).toInt()
+    private fun wrapped(index: Long, size: Int, wrap: Texture.Wrap): Int = when (wrap) {
+        Texture.Wrap.REPEAT -> Math.floorMod(index, size)
+        Texture.Wrap.MIRROR -> Math.floorMod(index, 2 * size).let { if (it < size) it else 2 * size - 1 - it }
+        Texture.Wrap.CLAMP -> index.coerceIn(0L, size - 1L).toInt()
     }
 
     companion object {

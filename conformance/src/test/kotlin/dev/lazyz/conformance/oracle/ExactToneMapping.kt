@@ -1,6 +1,5 @@
 package dev.lazyz.conformance.oracle
 
-import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
 
 /** Exposure and tone curves as contract rule 6.11 defines them, in double precision. */
@@ -10,9 +9,9 @@ internal class ExactToneMapping(private val mapping: ToneMapping) {
         if (mapping == ToneMapping.NONE) return light
         val exposed = DoubleArray(3) { light[it] * Math.pow(2.0, mapping.exposure) }
         return when (mapping.curve) {
-            ToneCurve.NONE -> exposed
-            ToneCurve.ACES -> DoubleArray(3) { film(maxOf(0.0, exposed[it])) }
-            ToneCurve.NEUTRAL -> neutral(DoubleArray(3) { maxOf(0.0, exposed[it]) })
+            ToneMapping.Curve.NONE -> exposed
+            ToneMapping.Curve.ACES -> DoubleArray(3) { film(maxOf(0.0, exposed[it])) }
+            ToneMapping.Curve.NEUTRAL -> neutral(DoubleArray(3) { maxOf(0.0, exposed[it]) })
         }
     }
 

@@ -1,13 +1,13 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.Spans
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 

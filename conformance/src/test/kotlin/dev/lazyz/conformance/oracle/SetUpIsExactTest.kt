@@ -1,16 +1,16 @@
 package dev.lazyz.conformance.oracle
 
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.frames.Frames
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.screen.PolygonPiece
 import dev.lazyz.conformance.frames.screen.ScreenPolygons
 import dev.lazyz.conformance.probes.exact
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 import java.util.Random
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.EdgeCasesMode

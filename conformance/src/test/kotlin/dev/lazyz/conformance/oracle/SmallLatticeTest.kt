@@ -1,11 +1,11 @@
 package dev.lazyz.conformance.oracle
 
-import dev.lazyz.FillRule
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Shader
-import dev.lazyz.Spans
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.geometry.FillRule
+import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.spi.Shader
+import dev.lazyz.spi.Spans
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.fail
 import org.junit.jupiter.api.Test

@@ -8,8 +8,8 @@ import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.Spans
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.Renderers
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -2,7 +2,7 @@ package dev.lazyz.conformance.report
 
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.Conformance
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.mutants.PlainRenderer
 import dev.lazyz.conformance.mutants.Throwing
@@ -155,7 +155,7 @@ class ReportTest {
             val size = checkNotNull(loaded.size)
             val frame = loaded.scene.frame(loaded.raster(size.width, size.height)).within(case.frame.region)
             assertNull(difference(checkNotNull(failure.expected), ReferenceRenderer().render(frame)))
-            val again = difference(ReferenceRenderer().render(frame), Rendering.of(wrong, frame).image)
+            val again = difference(ReferenceRenderer().render(frame), Recording.of(wrong, frame).image)
             val sample = checkNotNull(failure.sample)
             assertEquals(
                 listOf(sample.x, sample.y, sample.count, sample.expected, sample.actual),

@@ -28,7 +28,7 @@ class DeadlineTest {
         while (true) {
             deadline.lateness()?.let { return it to polls }
             polls++
-            now += Patience.POLL.toNanos()
+            now += StallTimer.POLL.toNanos()
             for ((thread, more) in threads) used.merge(thread, more, Long::plus)
         }
     }

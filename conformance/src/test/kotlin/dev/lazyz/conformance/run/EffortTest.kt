@@ -10,7 +10,7 @@ import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.emit
 import dev.lazyz.conformance.results.SuiteRule
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -54,10 +54,10 @@ class EffortTest {
     @Test
     fun effortThatIsNoPositiveNumberIsRefused() {
         for (factor in listOf(-1.0, 0.0, Double.NaN, Double.POSITIVE_INFINITY)) {
-            assertThrows(IllegalArgumentException::class.java) { SuiteRun.ofRule(rule, factor) { ZBuffer() } }
+            assertThrows(IllegalArgumentException::class.java) { SuiteRun.ofRule(rule, factor) { ZBufferRenderer() } }
         }
         SuiteRun.withProperty(RendererConformance.TRIES, "-1.0") {
-            val refusal = assertThrows(IllegalArgumentException::class.java) { Conformance { ZBuffer() }.run() }
+            val refusal = assertThrows(IllegalArgumentException::class.java) { Conformance { ZBufferRenderer() }.run() }
             val message = refusal.message.orEmpty()
             assertTrue("lazyz.conformance.tries must be a positive number: -1.0" in message, message)
         }
@@ -65,7 +65,7 @@ class EffortTest {
 
     /** Overrides a rule. */
     internal class Lenient : RendererConformance() {
-        override fun renderer(): Renderer = ZBuffer()
+        override fun renderer(): Renderer = ZBufferRenderer()
 
         override fun rule_2_8_customPrimitivesCoverTheirSpans(case: FrameCase): Unit = Unit
     }
@@ -80,7 +80,7 @@ class EffortTest {
         val seen = ArrayList<String>()
         SuiteRun.ofRule(rule, tries) {
             BrokenRenderer("witness") { frame: Frame, sink ->
-                val image = ZBuffer().render(frame)
+                val image = ZBufferRenderer().render(frame)
                 seen.add("${frame.raster} ${image.argb.contentHashCode()}")
                 emit(image, sink)
             }

@@ -201,11 +201,13 @@ class RunTest {
             WrongColors()
         }.rule("5.1").rule("5.2").run()
         val broken = report.results.filter { it.outcome == RuleOutcome.FAILED }
-        assertTrue(broken.size > Tally.MOST_SHRUNK, report.toText())
+        assertTrue(broken.size > RuleFailures.MOST_SHRUNK, report.toText())
 
         // Each failure: first the tries, then the shrinking steps, then its repetitions
         val tries = report.results.sumOf { it.tries }
-        val most = Tally.MOST_SHRUNK * Settings.MANY_STEPS + (broken.size - Tally.MOST_SHRUNK) * Settings.FEW_STEPS
+        val most =
+            RuleFailures.MOST_SHRUNK * Settings.MANY_STEPS +
+                (broken.size - RuleFailures.MOST_SHRUNK) * Settings.FEW_STEPS
         assertTrue(calls <= tries + most + 4 * broken.size, "$calls calls")
         val end = System.nanoTime() + NET.toNanos()
         fun more() = Thread.getAllStackTraces().keys - before

@@ -16,8 +16,8 @@ import dev.lazyz.conformance.mutants.WrongColors
 import dev.lazyz.conformance.results.RuleFailure
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.SuiteRule
-import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.lang.reflect.Proxy
 import java.net.URLClassLoader
 import java.nio.file.Files
@@ -140,7 +140,7 @@ class TrialTest {
             error("the suite cannot be made")
         }
 
-        override fun renderer(): Renderer = ZBuffer()
+        override fun renderer(): Renderer = ZBufferRenderer()
     }
 
     @Test
@@ -205,7 +205,7 @@ class TrialTest {
 
     @Test
     fun commandNamesTheJarUnlessTheRendererIsOurs(@TempDir folder: Path) {
-        val own = of { ZBuffer() }.run()
+        val own = of { ZBufferRenderer() }.run()
         val options = "--seed 1995 --tries 0.05 --rule $nearest"
         assertEquals("zcli conformance --strategy zbuffer $options", own.commandFor(own.results.single().rule))
 

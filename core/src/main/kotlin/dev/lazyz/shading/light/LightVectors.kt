@@ -1,6 +1,6 @@
 package dev.lazyz.shading.light
 
-import dev.lazyz.FragmentBatch
+import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.world.AmbientVisibility
 
 /**

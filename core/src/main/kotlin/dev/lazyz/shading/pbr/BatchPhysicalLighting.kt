@@ -1,11 +1,11 @@
 package dev.lazyz.shading.pbr
 
-import dev.lazyz.FragmentBatch
 import dev.lazyz.shading.light.LightSources
 import dev.lazyz.shading.light.LightVectors
 import dev.lazyz.shading.light.Loops
 import dev.lazyz.shading.light.Viewer
 import dev.lazyz.shading.light.hasNumbers
+import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.world.AmbientVisibility
 import kotlin.math.abs
 import kotlin.math.sqrt
@@ -36,7 +36,7 @@ internal class BatchPhysicalLighting(
         val scratch = batch.scratch(ARRAYS)
         if (!vectors.toUnitNormals(scratch, count)) return false
         vectors.view(batch, scratch)
-        Loops.dot(scratch, LightVectors.NORMAL, LightVectors.VIEW, scratch[ALONG], count)
+        Loops.dot(scratch, LightVectors.NORMAL, LightVectors.VIEW, scratch[NORMAL_DOT_VIEW], count)
         direct(batch, scratch)
         indirect(batch, scratch)
         return batch.hasNumbers()
@@ -104,7 +104,7 @@ internal class BatchPhysicalLighting(
         Loops.dot(scratch, LightVectors.NORMAL, HALFWAY, scratch[PART], count)
         val out = scratch[LOBE]
         distribution(scratch[PART], scratch[SINE], scratch[ALPHA_SQUARE], out, count)
-        shadow(scratch[LightVectors.LIT], scratch[ALONG], scratch[ALPHA_SQUARE], out, count)
+        shadow(scratch[LightVectors.LIT], scratch[NORMAL_DOT_VIEW], scratch[ALPHA_SQUARE], out, count)
         for (i in 0 until count) scratch[PART][i] = Loops.step(scratch[PART][i])
         Loops.multiply(out, scratch[PART], count)
     }
@@ -146,7 +146,7 @@ internal class BatchPhysicalLighting(
         } else {
             store(studio, scratch, batch.surface, count)
         }
-        split(scratch[ALONG], scratch[ROUGHNESS], scratch[SCALE], scratch[BIAS], count)
+        split(scratch[NORMAL_DOT_VIEW], scratch[ROUGHNESS], scratch[SCALE], scratch[BIAS], count)
         val open = if (visibility == null) null else scratch[OPEN]
         if (open != null) {
             open.fill(1f, 0, count)
@@ -162,7 +162,7 @@ internal class BatchPhysicalLighting(
         val (nx, ny, nz) = List(3) { scratch[LightVectors.NORMAL + it] }
         val (vx, vy, vz) = List(3) { scratch[LightVectors.VIEW + it] }
         for (i in 0 until count) {
-            val twice = 2f * scratch[ALONG][i]
+            val twice = 2f * scratch[NORMAL_DOT_VIEW][i]
             val roughness = scratch[ROUGHNESS][i]
             studio.radiance(
                 twice * nx[i] - vx[i], twice * ny[i] - vy[i], twice * nz[i] - vz[i], roughness * roughness, surface,
@@ -240,10 +240,10 @@ internal class BatchPhysicalLighting(
         const val ROUGHNESS: Int = REFLECTANCE + 3
 
         /** Cosines between normals and viewer. */
-        const val ALONG: Int = ROUGHNESS + 1
+        const val NORMAL_DOT_VIEW: Int = ROUGHNESS + 1
 
         /** The light of the studio around the reflected ray, and on a matt surface. */
-        const val RADIANCE: Int = ALONG + 1
+        const val RADIANCE: Int = NORMAL_DOT_VIEW + 1
         const val IRRADIANCE: Int = RADIANCE + 3
 
         private const val HALFWAY = IRRADIANCE + 3

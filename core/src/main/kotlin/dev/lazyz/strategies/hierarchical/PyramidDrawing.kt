@@ -5,13 +5,13 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Region
-import dev.lazyz.Spans
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.AreaBounds
 import dev.lazyz.raster.VisibilityOrder
 import dev.lazyz.raster.boundsIn
 import dev.lazyz.raster.forEachKey
 import dev.lazyz.raster.forEachRow
+import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.hierarchical.DepthPyramid.Companion.BLOCK
 
 /**
@@ -27,7 +27,7 @@ internal class PyramidDrawing(private val frame: Frame, private val counters: Co
     /** The keys of all primitives drawn so far. */
     val pyramid: DepthPyramid = DepthPyramid(region, test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND))
 
-    private val spans = Spans(region)
+    private val spans = region.spans()
 
     /** The test result of each block in the current row of blocks: [UNKNOWN], [HIDDEN] or [OPEN]. */
     private val answers = ByteArray((region.width + BLOCK - 1) / BLOCK)

@@ -1,17 +1,17 @@
 package dev.lazyz.strategies.lists
 
-import dev.lazyz.Cell
 import dev.lazyz.Checkpoint
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
-import dev.lazyz.Srgb
+import dev.lazyz.Selector.Cell
 import dev.lazyz.bytes
 import dev.lazyz.raster.sortKeys
 import dev.lazyz.shading.LateShading
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Srgb
 
 /** The cell of one sample of the current row. It is moved from sample to sample, from left to right. */
 internal class RowCell(

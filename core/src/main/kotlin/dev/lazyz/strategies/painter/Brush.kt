@@ -2,8 +2,8 @@ package dev.lazyz.strategies.painter
 
 import dev.lazyz.Counters
 import dev.lazyz.Frame
-import dev.lazyz.Spans
 import dev.lazyz.raster.forEachRow
+import dev.lazyz.spi.Spans
 
 /**
  * Paints primitives onto a canvas, over primitives that are proved to be behind, without comparing depths.
@@ -17,12 +17,12 @@ import dev.lazyz.raster.forEachRow
  */
 internal class Brush(
     private val frame: Frame,
-    private val canvas: Canvas,
+    private val canvas: Painting,
     private val pairs: PairOrder,
     private val counters: Counters.Builder,
 ) {
     private val test = frame.raster.depthTest
-    private val spans = Spans(frame.region)
+    private val spans = frame.region.spans()
 
     /**
      * For each painted primitive (element 0 is the background), the last primitive painted over it, and the order

@@ -2,9 +2,9 @@ package dev.lazyz.strategies.painter
 
 import dev.lazyz.Primitive
 import dev.lazyz.Region
-import dev.lazyz.Spans
 import dev.lazyz.raster.Edge
 import dev.lazyz.raster.forEachRow
+import dev.lazyz.spi.Spans
 
 /**
  * The corners of the convex hull of the samples that a primitive covers in a region, in order around the hull.
@@ -73,7 +73,7 @@ internal class Outline private constructor(val xs: IntArray, val ys: IntArray) {
 
         /** Walks the rows of [primitive] in [region]. Cost: linear in rows and spans. */
         fun of(primitive: Primitive, region: Region): Outline {
-            val spans = Spans(region)
+            val spans = region.spans()
             val left = Chain(1)
             val right = Chain(-1)
             primitive.forEachRow(region, spans) { y ->

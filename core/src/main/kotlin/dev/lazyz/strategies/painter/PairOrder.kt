@@ -4,11 +4,11 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.HeapLayout
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.bytes
 import dev.lazyz.raster.VisibilityOrder
+import dev.lazyz.spi.LinearForm
 
 /**
  * Newell's tests: try to prove which of two primitives is visible at all samples that they share. The order is proved

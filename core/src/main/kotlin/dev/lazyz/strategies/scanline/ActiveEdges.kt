@@ -4,12 +4,12 @@ import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.HeapLayout
-import dev.lazyz.SpanCursor
-import dev.lazyz.Spans
 import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.byFirstRow
 import dev.lazyz.raster.sortKeys
+import dev.lazyz.spi.SpanCursor
+import dev.lazyz.spi.Spans
 
 /**
  * The active edge list: the ends of all spans of the current row, in order of columns.
@@ -41,7 +41,7 @@ internal class ActiveEdges(private val frame: Frame, private val counters: Count
 
     private var actives = arrayOfNulls<Active>(INITIAL)
     private var activeCount = 0
-    private val row = Spans(region)
+    private val row = region.spans()
 
     /**
      * For each span, the first column, the column after the last (0 if the number is not in use), and the primitive.

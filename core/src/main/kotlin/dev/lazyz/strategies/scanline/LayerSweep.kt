@@ -3,11 +3,11 @@ package dev.lazyz.strategies.scanline
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
-import dev.lazyz.LinearForm
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.VisibilityOrder
 import dev.lazyz.shading.LateShading
 import dev.lazyz.shading.LayerShading
+import dev.lazyz.spi.LinearForm
 
 /**
  * Moves along a row a second time, after [RowSweep], and blends the translucent spans that are before the visible

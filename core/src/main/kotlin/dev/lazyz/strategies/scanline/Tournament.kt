@@ -2,8 +2,8 @@ package dev.lazyz.strategies.scanline
 
 import dev.lazyz.Counters
 import dev.lazyz.Frame
-import dev.lazyz.LinearForm
 import dev.lazyz.raster.VisibilityOrder
+import dev.lazyz.spi.LinearForm
 
 /**
  * Maintains the visible one of the spans at the current column, as the column moves from left to right.

@@ -10,7 +10,9 @@ import dev.lazyz.strategies.tiled.resolve.FragmentKernel
 import dev.lazyz.strategies.tiled.resolve.ScalarFragmentKernel
 import dev.lazyz.strategies.tiled.resolve.VectorFragmentKernel
 
-/** Implementations of the innermost loops of [Tiled]. All give the same bits. Each kernel belongs to one thread. */
+/**
+ * Implementations of the innermost loops of [TiledRenderer]. All give the same bits. Each kernel belongs to one thread.
+ */
 internal enum class Kernels {
     /** Loops that run on any JVM. */
     SCALAR,

@@ -1,17 +1,17 @@
 package dev.lazyz.strategies.tiled
 
 import dev.lazyz.Checkpoint
-import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
-import dev.lazyz.Spans
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.raster.bytes
 import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.triangleBatchWith
+import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.tiled.binning.Band
 import dev.lazyz.strategies.tiled.binning.BandSpans
 import dev.lazyz.strategies.tiled.binning.NearToFar
@@ -40,7 +40,7 @@ internal class TileRenderer(
     private val hasTranslucency = content.hasTranslucency
     private val keys = VisibilityBuffer(grid, frame.raster, counters)
     private val layers = TileLayers(keys, test, counters)
-    private val spans = Spans(frame.region)
+    private val spans = frame.region.spans()
     private val drawing = FineRaster(keys, kernels.blocks(), counters)
     private val batches = EarlyZDrawing(content, test, keys, drawing, checkpoint)
     private val forms = TriangleForms(test)

@@ -14,9 +14,9 @@ import dev.lazyz.strategies.tiled.raster.SmallCoverage
 import dev.lazyz.strategies.tiled.raster.TileGrid
 
 /**
- * Upper bounds of the memory that [Tiled] takes for a frame in memory, in bytes, from the bounds of its primitives and
- * the table of [HeapLayout]. What is hidden counts like what is visible, so a scene of many layers takes less.
- * Cost: one pass over all primitives.
+ * Upper bounds of the memory that [TiledRenderer] takes for a frame in memory, in bytes, from the bounds of its
+ * primitives and the table of [HeapLayout]. What is hidden counts like what is visible, so a scene of many layers takes
+ * less. Cost: one pass over all primitives.
  *
  * @param threads number of threads, including the calling thread
  */
@@ -26,7 +26,7 @@ internal class TiledMemory(private val frame: Frame, tileSize: Int, private val 
 
     /** How many bands are in progress at a time. */
     private val bandsAtWork =
-        Rendering.bandsAtWork(grid, minOf(threads.toLong(), grid.columns.toLong() * grid.bands).toInt())
+        TiledRendering.bandsAtWork(grid, minOf(threads.toLong(), grid.columns.toLong() * grid.bands).toInt())
 
     /** Bytes of one row of samples, as an array, of which there are [rowArrays]. */
     val rowBytes: Long = Int.SIZE_BYTES * region.width.toLong()

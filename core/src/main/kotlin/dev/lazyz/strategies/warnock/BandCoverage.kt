@@ -6,11 +6,11 @@ import dev.lazyz.Frame
 import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.Region
-import dev.lazyz.Spans
 import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.VisibilityOrder
 import dev.lazyz.raster.byFirstRow
+import dev.lazyz.spi.Spans
 import java.util.Arrays
 
 /**
@@ -138,7 +138,7 @@ internal class BandCoverage(val primitive: Primitive, val index: Int, order: Vis
 internal class BandCoverages(private val frame: Frame, private val counters: Counters.Builder) {
     private val region = frame.region
     private val order = VisibilityOrder(frame.raster.depthTest)
-    private val spans = Spans(region)
+    private val spans = region.spans()
 
     /** First row in the upper half, index in the lower half, ascending. */
     private val waiting = frame.byFirstRow(Checkpoint.CALLER)

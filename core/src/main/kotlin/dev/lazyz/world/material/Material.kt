@@ -1,50 +1,9 @@
 package dev.lazyz.world.material
 
 import dev.lazyz.Rgba
-import dev.lazyz.Shader
+import dev.lazyz.spi.Shader
+import dev.lazyz.world.material.Texture.MipFilter
 import java.util.function.IntPredicate
-
-/** Where on a surface light is evaluated. */
-public enum class Shading {
-    /** No light: the base colour, the texture and the vertex colours only. */
-    CONSTANT,
-
-    /** Once for each face, with the normal of the face: facets are visible. */
-    FLAT,
-
-    /** Once for each vertex, with the normal of the vertex; the resulting colours are interpolated (Gouraud 1971). */
-    GOURAUD,
-
-    /**
-     * At every shaded sample, with the interpolated and renormalised normal; the highlight uses the reflected ray
-     * (Phong 1975).
-     */
-    PHONG,
-
-    /** As [PHONG], but the highlight uses the halfway vector (Blinn 1977). */
-    BLINN_PHONG,
-}
-
-/** How a material's alpha is used. */
-public enum class AlphaMode {
-    /** Alpha is ignored; the surface is opaque. */
-    OPAQUE,
-
-    /** Samples whose alpha is below the material's cutoff are not covered; the others are opaque. */
-    MASK,
-
-    /** Alpha is part of the colour, for renderers that blend. */
-    BLEND,
-}
-
-/** Which sides of a surface are drawn. */
-public enum class Sides {
-    /** Both sides; on the back, the normal is reversed so that it faces the viewer. */
-    BOTH,
-
-    /** Only the front, from which the vertices are in counter-clockwise order. */
-    FRONT,
-}
 
 /**
  * The appearance of a surface.
@@ -287,5 +246,49 @@ public class Material private constructor(
     override fun toString(): String {
         val look = if (isPhysical) "$metallicRoughness" else "$shading"
         return "Material(\"$name\", $baseColor, $look, texture=$texture)"
+    }
+
+    /** How a material's alpha is used. */
+    public enum class AlphaMode {
+        /** Alpha is ignored; the surface is opaque. */
+        OPAQUE,
+
+        /** Samples whose alpha is below the material's cutoff are not covered; the others are opaque. */
+        MASK,
+
+        /** Alpha is part of the colour, for renderers that blend. */
+        BLEND,
+    }
+
+    /** Which sides of a surface are drawn. */
+    public enum class Sides {
+        /** Both sides; on the back, the normal is reversed so that it faces the viewer. */
+        BOTH,
+
+        /** Only the front, from which the vertices are in counter-clockwise order. */
+        FRONT,
+    }
+
+    /** Where on a surface light is evaluated. */
+    public enum class Shading {
+        /** No light: the base colour, the texture and the vertex colours only. */
+        CONSTANT,
+
+        /** Once for each face, with the normal of the face: facets are visible. */
+        FLAT,
+
+        /**
+         * Once for each vertex, with the normal of the vertex; the resulting colours are interpolated (Gouraud 1971).
+         */
+        GOURAUD,
+
+        /**
+         * At every shaded sample, with the interpolated and renormalised normal; the highlight uses the reflected ray
+         * (Phong 1975).
+         */
+        PHONG,
+
+        /** As [PHONG], but the highlight uses the halfway vector (Blinn 1977). */
+        BLINN_PHONG,
     }
 }

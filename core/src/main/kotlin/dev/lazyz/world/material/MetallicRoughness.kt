@@ -8,7 +8,7 @@ package dev.lazyz.world.material
  * @property roughness 0 for a mirror, 1 for a matt surface. It is the perceptual roughness; its square is the width of
  *   the distribution of microfacets
  * @property map multiplies [roughness] by its green and [metallic] by its blue component; or null. Its texture should
- *   have [TextureEncoding.LINEAR]
+ *   have [Texture.Encoding.LINEAR]
  * @throws IllegalArgumentException if [metallic] or [roughness] is not in 0..1
  */
 public class MetallicRoughness @JvmOverloads constructor(

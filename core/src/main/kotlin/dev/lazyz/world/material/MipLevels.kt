@@ -1,7 +1,7 @@
 package dev.lazyz.world.material
 
 import dev.lazyz.Rgba
-import dev.lazyz.Srgb
+import dev.lazyz.spi.Srgb
 import kotlin.math.ceil
 import kotlin.math.floor
 
@@ -115,7 +115,7 @@ internal class MipLevels(val image: TextureLevel) {
  *
  * @property argb texels as in [Texture], in rows from the top
  */
-internal class TextureLevel(val width: Int, val height: Int, val argb: IntArray, val encoding: TextureEncoding) {
+internal class TextureLevel(val width: Int, val height: Int, val argb: IntArray, val encoding: Texture.Encoding) {
     init {
         require(width > 0 && height > 0) { "texture must have at least one texel: $width x $height" }
         require(argb.size.toLong() == width.toLong() * height) {
@@ -124,13 +124,13 @@ internal class TextureLevel(val width: Int, val height: Int, val argb: IntArray,
     }
 
     /** The linear values of the codes of colours. */
-    private val colors = if (encoding == TextureEncoding.SRGB) Srgb.linearOfCode else LINEAR
+    private val colors = if (encoding == Texture.Encoding.SRGB) Srgb.linearOfCode else LINEAR
 
     /** Adds [weight] times the colour at ([u], [v]), sampled by the rules of [texture], to [out] at 0..3. */
     fun add(texture: Texture, u: Double, v: Double, weight: Float, out: FloatArray) {
         val x = position(u, width, texture.wrapU)
         val y = position(v, height, texture.wrapV)
-        if (texture.filter == TextureFilter.NEAREST) {
+        if (texture.filter == Texture.Filter.NEAREST) {
             val row = wrapIndex(floor(y).toInt(), height, texture.wrapV) * width
             val texel = argb[row + wrapIndex(floor(x).toInt(), width, texture.wrapU)]
             for (channel in 0 until 4) out[channel] += weight * channelOf(texel, channel)
@@ -167,21 +167,21 @@ internal class TextureLevel(val width: Int, val height: Int, val argb: IntArray,
      * Converts a coordinate to a position in texels: in 0 until [size] for REPEAT, 0..[size] for CLAMP, 0 until twice
      * the [size] for MIRROR.
      */
-    private fun position(coordinate: Double, size: Int, wrap: TextureWrap): Double {
+    private fun position(coordinate: Double, size: Int, wrap: Texture.Wrap): Double {
         if (!coordinate.isFinite()) return 0.0
         val wrapped = when (wrap) {
-            TextureWrap.REPEAT -> coordinate - floor(coordinate)
-            TextureWrap.CLAMP -> coordinate.coerceIn(0.0, 1.0)
-            TextureWrap.MIRROR -> coordinate - 2.0 * floor(coordinate / 2.0)
+            Texture.Wrap.REPEAT -> coordinate - floor(coordinate)
+            Texture.Wrap.CLAMP -> coordinate.coerceIn(0.0, 1.0)
+            Texture.Wrap.MIRROR -> coordinate - 2.0 * floor(coordinate / 2.0)
         }
         return wrapped * size
     }
 
     /** Wraps an index that is at most one outside the range of [position] to an index of the level. */
-    private fun wrapIndex(index: Int, size: Int, wrap: TextureWrap): Int = when {
+    private fun wrapIndex(index: Int, size: Int, wrap: Texture.Wrap): Int = when {
         index in 0 until size -> index
-        wrap == TextureWrap.REPEAT -> if (index < 0) size - 1 else 0
-        wrap == TextureWrap.MIRROR -> if (index in size until 2 * size) 2 * size - 1 - index else 0
+        wrap == Texture.Wrap.REPEAT -> if (index < 0) size - 1 else 0
+        wrap == Texture.Wrap.MIRROR -> if (index in size until 2 * size) 2 * size - 1 - index else 0
         else -> if (index < 0) 0 else size - 1
     }
 
@@ -195,10 +195,10 @@ internal class TextureLevel(val width: Int, val height: Int, val argb: IntArray,
 
     /** Returns the code of a linear value, 0..1. */
     fun encoded(value: Float): Int =
-        if (encoding == TextureEncoding.SRGB) Srgb.encode(value) else (value * 255f + 0.5f).toInt()
+        if (encoding == Texture.Encoding.SRGB) Srgb.encode(value) else (value * 255f + 0.5f).toInt()
 
     private companion object {
-        /** The values of codes that are linear: alpha, and all of [TextureEncoding.LINEAR]. */
+        /** The values of codes that are linear: alpha, and all of [Texture.Encoding.LINEAR]. */
         val LINEAR = FloatArray(256) { it / 255f }
     }
 }

@@ -1,57 +1,9 @@
 package dev.lazyz.world.material
 
-import dev.lazyz.Fragment
 import dev.lazyz.Rgba
+import dev.lazyz.spi.Fragment
 import kotlin.math.ceil
 import kotlin.math.sqrt
-
-/** How a [Texture] is sampled between texels. */
-public enum class TextureFilter {
-    /** The texel that contains the point. */
-    NEAREST,
-
-    /** The four texels around the point, weighted by distance in linear light. */
-    BILINEAR,
-}
-
-/** How a [Texture] is sampled outside 0..1. */
-public enum class TextureWrap {
-    /** The image is repeated. */
-    REPEAT,
-
-    /** The nearest texel at the border is used. */
-    CLAMP,
-
-    /** The image is repeated, and every other copy is mirrored. */
-    MIRROR,
-}
-
-/** How a [Texture] is sampled where several texels fall on one sample of the picture. */
-public enum class MipFilter {
-    /** As if texels were large: single texels are picked, so distant textures can shimmer. */
-    NONE,
-
-    /**
-     * Smaller copies of the image (mip levels), interpolated between two levels. The level is that of the longer side
-     * of the sample's footprint, so surfaces that are seen at an angle are blurred. Two lookups a sample.
-     */
-    TRILINEAR,
-
-    /**
-     * As [TRILINEAR], with up to [Texture.MAX_PROBES] lookups along the longer side of the footprint, and the level of
-     * the shorter side: sharp at an angle, too. The best pictures.
-     */
-    ANISOTROPIC,
-}
-
-/** What the red, green and blue codes of a [Texture] mean. */
-public enum class TextureEncoding {
-    /** Colours, with the sRGB curve. */
-    SRGB,
-
-    /** Numbers in 0..1, code / 255: for example normals or roughness. */
-    LINEAR,
-}
 
 /**
  * An image that colours a surface.
@@ -77,9 +29,9 @@ public enum class TextureEncoding {
  */
 public class Texture private constructor(
     private val levels: MipLevels,
-    public val filter: TextureFilter,
-    public val wrapU: TextureWrap,
-    public val wrapV: TextureWrap,
+    public val filter: Texture.Filter,
+    public val wrapU: Texture.Wrap,
+    public val wrapV: Texture.Wrap,
     public val name: String,
     public val mipFilter: MipFilter,
 ) {
@@ -94,12 +46,12 @@ public class Texture private constructor(
         width: Int,
         height: Int,
         argb: IntArray,
-        filter: TextureFilter = TextureFilter.BILINEAR,
-        wrapU: TextureWrap = TextureWrap.REPEAT,
-        wrapV: TextureWrap = TextureWrap.REPEAT,
+        filter: Texture.Filter = Texture.Filter.BILINEAR,
+        wrapU: Texture.Wrap = Texture.Wrap.REPEAT,
+        wrapV: Texture.Wrap = Texture.Wrap.REPEAT,
         name: String = "",
         mipFilter: MipFilter = MipFilter.NONE,
-        encoding: TextureEncoding = TextureEncoding.SRGB,
+        encoding: Texture.Encoding = Texture.Encoding.SRGB,
     ) : this(MipLevels(TextureLevel(width, height, argb, encoding)), filter, wrapU, wrapV, name, mipFilter)
 
     private val image: TextureLevel = levels.image
@@ -111,7 +63,7 @@ public class Texture private constructor(
     public val height: Int get() = image.height
 
     /** What the codes mean. */
-    public val encoding: TextureEncoding get() = image.encoding
+    public val encoding: Texture.Encoding get() = image.encoding
 
     /** Whether any texel is not fully opaque. Cost: one pass over the texels, once. */
     public val hasAlpha: Boolean get() = levels.hasAlpha
@@ -135,9 +87,9 @@ public class Texture private constructor(
     /** Returns this texture with other sampling rules; the texels are shared. */
     @JvmOverloads
     public fun withSampling(
-        filter: TextureFilter,
-        wrapU: TextureWrap,
-        wrapV: TextureWrap,
+        filter: Texture.Filter,
+        wrapU: Texture.Wrap,
+        wrapV: Texture.Wrap,
         mipFilter: MipFilter = this.mipFilter,
     ): Texture = Texture(levels, filter, wrapU, wrapV, name, mipFilter)
 
@@ -145,7 +97,7 @@ public class Texture private constructor(
     public fun withMipFilter(mipFilter: MipFilter): Texture = withSampling(filter, wrapU, wrapV, mipFilter)
 
     /** Returns this texture with another meaning of its codes; the texels are shared. */
-    public fun withEncoding(encoding: TextureEncoding): Texture = if (encoding == this.encoding) {
+    public fun withEncoding(encoding: Texture.Encoding): Texture = if (encoding == this.encoding) {
         this
     } else {
         Texture(width, height, image.argb, filter, wrapU, wrapV, name, mipFilter, encoding)
@@ -159,7 +111,7 @@ public class Texture private constructor(
      * Does not use the [mipFilter].
      *
      * A coordinate that is NaN or infinite is treated as texel position 0. Cost: one texel with
-     * [TextureFilter.NEAREST], four with [TextureFilter.BILINEAR]; no allocation.
+     * [Texture.Filter.NEAREST], four with [Texture.Filter.BILINEAR]; no allocation.
      */
     public fun sample(u: Float, v: Float, out: FloatArray) {
         out.fill(0f, 0, 4)
@@ -224,6 +176,54 @@ public class Texture private constructor(
     }
 
     override fun toString(): String = "Texture($width x $height, $filter, $mipFilter, $wrapU, $wrapV, \"$name\")"
+
+    /** What the red, green and blue codes of a [Texture] mean. */
+    public enum class Encoding {
+        /** Colours, with the sRGB curve. */
+        SRGB,
+
+        /** Numbers in 0..1, code / 255: for example normals or roughness. */
+        LINEAR,
+    }
+
+    /** How a [Texture] is sampled between texels. */
+    public enum class Filter {
+        /** The texel that contains the point. */
+        NEAREST,
+
+        /** The four texels around the point, weighted by distance in linear light. */
+        BILINEAR,
+    }
+
+    /** How a [Texture] is sampled outside 0..1. */
+    public enum class Wrap {
+        /** The image is repeated. */
+        REPEAT,
+
+        /** The nearest texel at the border is used. */
+        CLAMP,
+
+        /** The image is repeated, and every other copy is mirrored. */
+        MIRROR,
+    }
+
+    /** How a [Texture] is sampled where several texels fall on one sample of the picture. */
+    public enum class MipFilter {
+        /** As if texels were large: single texels are picked, so distant textures can shimmer. */
+        NONE,
+
+        /**
+         * Smaller copies of the image (mip levels), interpolated between two levels. The level is that of the longer
+         * side of the sample's footprint, so surfaces that are seen at an angle are blurred. Two lookups a sample.
+         */
+        TRILINEAR,
+
+        /**
+         * As [TRILINEAR], with up to [Texture.MAX_PROBES] lookups along the longer side of the footprint, and the level
+         * of the shorter side: sharp at an angle, too. The best pictures.
+         */
+        ANISOTROPIC,
+    }
 
     public companion object {
         /** The most lookups of [MipFilter.ANISOTROPIC] for a sample. */

@@ -8,7 +8,7 @@ import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.geometry.VertexTransforms
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import java.util.function.UnaryOperator
 import org.joml.Matrix4dc
 import org.joml.Vector3d

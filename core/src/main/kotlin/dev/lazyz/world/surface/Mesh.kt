@@ -8,11 +8,11 @@ import dev.lazyz.geometry.PointBlocks
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.geometry.VertexTransforms
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 import java.util.function.UnaryOperator
 import org.joml.Matrix4dc
 import org.joml.Vector3d

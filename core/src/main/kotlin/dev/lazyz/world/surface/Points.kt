@@ -9,7 +9,7 @@ import dev.lazyz.geometry.Vectors
 import dev.lazyz.geometry.VertexTransforms
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import java.util.function.UnaryOperator
 import org.joml.Matrix4dc
 import org.joml.Vector3d

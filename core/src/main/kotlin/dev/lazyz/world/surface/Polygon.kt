@@ -1,10 +1,10 @@
 package dev.lazyz.world.surface
 
-import dev.lazyz.FillRule
 import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.world.material.Material
@@ -81,51 +81,51 @@ public class Polygon @JvmOverloads constructor(
     }
 
     override fun toString(): String = "Polygon(${contours.map { it.size }} vertices, $fillRule, $material)"
-}
 
-/**
- * A vertex of a [Polygon]. Immutable.
- *
- * @property x position, world space
- * @property y see [x]
- * @property z see [x]
- * @property u texture coordinate to the right, see [Texture]
- * @property v texture coordinate downward, see [Texture]
- * @property color vertex colour; multiplies the colour of the material
- */
-public class Vertex @JvmOverloads constructor(
-    public val x: Double,
-    public val y: Double,
-    public val z: Double,
-    public val u: Float = 0f,
-    public val v: Float = 0f,
-    public val color: Rgba = Rgba.WHITE,
-) {
-    /** Whether the position counts for bounds. */
-    internal val isFinite: Boolean get() = (0 until 3).all { StrictMath.abs(position(it)) < Box.LARGEST }
+    /**
+     * A vertex of a [Polygon]. Immutable.
+     *
+     * @property x position, world space
+     * @property y see [x]
+     * @property z see [x]
+     * @property u texture coordinate to the right, see [Texture]
+     * @property v texture coordinate downward, see [Texture]
+     * @property color vertex colour; multiplies the colour of the material
+     */
+    public class Vertex @JvmOverloads constructor(
+        public val x: Double,
+        public val y: Double,
+        public val z: Double,
+        public val u: Float = 0f,
+        public val v: Float = 0f,
+        public val color: Rgba = Rgba.WHITE,
+    ) {
+        /** Whether the position counts for bounds. */
+        internal val isFinite: Boolean get() = (0 until 3).all { StrictMath.abs(position(it)) < Box.LARGEST }
 
-    internal fun position(axis: Int): Double = when (axis) {
-        0 -> x
-        1 -> y
-        else -> z
+        internal fun position(axis: Int): Double = when (axis) {
+            0 -> x
+            1 -> y
+            else -> z
+        }
+
+        internal fun transformed(m: Matrix4dc): Vertex = Vertex(
+            m.m00() * x + m.m10() * y + m.m20() * z + m.m30(),
+            m.m01() * x + m.m11() * y + m.m21() * z + m.m31(),
+            m.m02() * x + m.m12() * y + m.m22() * z + m.m32(),
+            u,
+            v,
+            color,
+        )
+
+        internal fun withUpAxis(up: UpAxis): Vertex {
+            val turned = up.toWorld(Vector3d(x, y, z))
+            return Vertex(turned.x, turned.y, turned.z, u, v, color)
+        }
+
+        internal fun relativeTo(origin: Vector3dc): Vertex =
+            Vertex(x - origin.x(), y - origin.y(), z - origin.z(), u, v, color)
+
+        override fun toString(): String = "Vertex($x, $y, $z)"
     }
-
-    internal fun transformed(m: Matrix4dc): Vertex = Vertex(
-        m.m00() * x + m.m10() * y + m.m20() * z + m.m30(),
-        m.m01() * x + m.m11() * y + m.m21() * z + m.m31(),
-        m.m02() * x + m.m12() * y + m.m22() * z + m.m32(),
-        u,
-        v,
-        color,
-    )
-
-    internal fun withUpAxis(up: UpAxis): Vertex {
-        val turned = up.toWorld(Vector3d(x, y, z))
-        return Vertex(turned.x, turned.y, turned.z, u, v, color)
-    }
-
-    internal fun relativeTo(origin: Vector3dc): Vertex =
-        Vertex(x - origin.x(), y - origin.y(), z - origin.z(), u, v, color)
-
-    override fun toString(): String = "Vertex($x, $y, $z)"
 }

@@ -3,19 +3,19 @@ package dev.lazyz.world.surface
 import dev.lazyz.Checkpoint
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Shader
 import dev.lazyz.Workers
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.LineStrokes
-import dev.lazyz.setup.PlanarSetUp
+import dev.lazyz.setup.MeshStage
 import dev.lazyz.setup.PointCloud
 import dev.lazyz.setup.SampleRays
-import dev.lazyz.setup.SphereSetUp
+import dev.lazyz.setup.SphereStage
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.VertexStage
 import dev.lazyz.setup.Viewport
 import dev.lazyz.shading.Lighting
+import dev.lazyz.spi.Shader
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Projection
@@ -64,7 +64,7 @@ public class SetUp internal constructor(
     private val viewport = Viewport.of(raster, near)
     private val lighting = Lighting(light.relativeTo(origin), near)
     private val stage = VertexStage(near, viewport)
-    private val planar = PlanarSetUp(stage, lighting, workers)
+    private val planar = MeshStage(stage, lighting, workers)
     private val rays by lazy { SampleRays(near, viewport) }
 
     /**
@@ -85,7 +85,7 @@ public class SetUp internal constructor(
 
     /** Returns [sphere] as a single primitive. */
     public fun sphere(sphere: Sphere): Primitive =
-        SphereSetUp.sphere(sphere.relativeTo(origin), near, rays, lighting)
+        SphereStage.sphere(sphere.relativeTo(origin), near, rays, lighting)
 
     /** Returns the points of [points] in order, each set up when the sequence reaches it; 32 bytes a point. */
     public fun points(points: Points): Sequence<Primitive> =
@@ -138,35 +138,35 @@ public class SetUp internal constructor(
      * sets the attributes of a fragment and then calls it; a custom shader may call it and change the colour. Light is
      * evaluated at each sample: FLAT and GOURAUD count as PHONG.
      */
-    public fun shader(material: Material): Shader = SphereSetUp.shader(material, lighting)
+    public fun shader(material: Material): Shader = SphereStage.shader(material, lighting)
 
     override fun toString(): String = "SetUp($raster, $camera, ${lights.size} lights)"
-}
 
-/**
- * A ray through a sample, in world space. Immutable.
- *
- * @property origin where it starts: the camera's eye for perspective, otherwise a point in the plane of the eye
- * @property direction its direction, of such a length that its component along the line of sight is 1
- */
-public class Ray internal constructor(public val origin: Vector3dc, public val direction: Vector3dc) {
-    /** Returns the point at [distance] from the camera along the line of sight, world units. A new vector. */
-    public fun at(distance: Double): Vector3d = Vector3d(
-        origin.x() + direction.x() * distance,
-        origin.y() + direction.y() * distance,
-        origin.z() + direction.z() * distance,
-    )
+    /**
+     * A ray through a sample, in world space. Immutable.
+     *
+     * @property origin where it starts: the camera's eye for perspective, otherwise a point in the plane of the eye
+     * @property direction its direction, of such a length that its component along the line of sight is 1
+     */
+    public class Ray internal constructor(public val origin: Vector3dc, public val direction: Vector3dc) {
+        /** Returns the point at [distance] from the camera along the line of sight, world units. A new vector. */
+        public fun at(distance: Double): Vector3d = Vector3d(
+            origin.x() + direction.x() * distance,
+            origin.y() + direction.y() * distance,
+            origin.z() + direction.z() * distance,
+        )
 
-    override fun toString(): String = "Ray($origin, $direction)"
-}
+        override fun toString(): String = "Ray($origin, $direction)"
+    }
 
-/**
- * A point on the raster. Immutable.
- *
- * @property x column position, pixels, a multiple of 1/256; the sample of column 0 is at 0.5
- * @property y row position, pixels, a multiple of 1/256; the sample of row 0 is at 0.5
- * @property depth depth, 0..2^31-1
- */
-public class ScreenPoint internal constructor(public val x: Double, public val y: Double, public val depth: Int) {
-    override fun toString(): String = "ScreenPoint($x, $y, depth $depth)"
+    /**
+     * A point on the raster. Immutable.
+     *
+     * @property x column position, pixels, a multiple of 1/256; the sample of column 0 is at 0.5
+     * @property y row position, pixels, a multiple of 1/256; the sample of row 0 is at 0.5
+     * @property depth depth, 0..2^31-1
+     */
+    public class ScreenPoint internal constructor(public val x: Double, public val y: Double, public val depth: Int) {
+        override fun toString(): String = "ScreenPoint($x, $y, depth $depth)"
+    }
 }

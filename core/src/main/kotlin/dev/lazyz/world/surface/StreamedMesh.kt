@@ -6,8 +6,9 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.geometry.PointBlocks
 import dev.lazyz.geometry.UpAxis
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.surface.StreamedMesh.MeshSource
 import java.util.function.UnaryOperator
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -22,7 +23,7 @@ import org.joml.Vector3dc
  *
  * @property source the triangles
  * @property name see [Surface.name]
- * @property material the appearance; if it is translucent, only `Tiled` renders it
+ * @property material the appearance; if it is translucent, only `TiledRenderer` renders it
  */
 public class StreamedMesh private constructor(
     public val source: MeshSource,
@@ -125,48 +126,50 @@ public class StreamedMesh private constructor(
 
     override fun toString(): String = "StreamedMesh($triangleCount triangles, $material)"
 
+    /**
+     * Triangles that are read part by part each time they are needed, for models that are larger than memory. Shown by
+     * a [StreamedMesh].
+     *
+     * A part should have some 1,000 triangles that are close to each other. For a fitted camera, single parts are read;
+     * for a rendering, as many at a time as have some 100,000 triangles. Implementations must return the same triangles
+     * each time, and be thread safe. An exception ends the rendering and is rethrown unchanged.
+     */
+    public interface MeshSource {
+        /** Number of triangles of all parts. */
+        public val triangleCount: Int
+
+        /** Whether parts have colours of vertices. */
+        public val hasColors: Boolean
+
+        /** Number of parts. */
+        public val partCount: Int
+
+        /** The origin of the positions of all parts, see [Mesh.origin]. */
+        public val origin: Vector3dc
+
+        /** Returns the number of triangles of part [number], without reading it. */
+        public fun triangleCount(number: Int): Int
+
+        /**
+         * Returns the smallest box around the vertices that the triangles of part [number] use, relative to [origin],
+         * or null if there are none. A fitted camera and each rendering call it for all parts, so it should not read
+         * the part.
+         */
+        public fun bounds(number: Int): Box?
+
+        /**
+         * Reads [count] parts from number [first] on, and returns their triangles in order as one mesh. The triangles
+         * of all parts are those of the whole mesh. The material of the result is not used, and its origin must be
+         * [origin].
+         */
+        public fun read(first: Int, count: Int): Mesh
+    }
+
     private companion object {
         /** Most triangles that are read at a time, unless one part has more. */
         const val GROUP = 1 shl 17
         const val TRANSLUCENT_GROUP = 1 shl 13
     }
-}
-
-/**
- * Triangles that are read part by part each time they are needed, for models that are larger than memory. Shown by a
- * [StreamedMesh].
- *
- * A part should have some 1,000 triangles that are close to each other. For a fitted camera, single parts are read; for
- * a rendering, as many at a time as have some 100,000 triangles. Implementations must return the same triangles each
- * time, and be thread safe. An exception ends the rendering and is rethrown unchanged.
- */
-public interface MeshSource {
-    /** Number of triangles of all parts. */
-    public val triangleCount: Int
-
-    /** Whether parts have colours of vertices. */
-    public val hasColors: Boolean
-
-    /** Number of parts. */
-    public val partCount: Int
-
-    /** The origin of the positions of all parts, see [Mesh.origin]. */
-    public val origin: Vector3dc
-
-    /** Returns the number of triangles of part [number], without reading it. */
-    public fun triangleCount(number: Int): Int
-
-    /**
-     * Returns the smallest box around the vertices that the triangles of part [number] use, relative to [origin], or
-     * null if there are none. A fitted camera and each rendering call it for all parts, so it should not read the part.
-     */
-    public fun bounds(number: Int): Box?
-
-    /**
-     * Reads [count] parts from number [first] on, and returns their triangles in order as one mesh. The triangles of
-     * all parts are those of the whole mesh. The material of the result is not used, and its origin must be [origin].
-     */
-    public fun read(first: Int, count: Int): Mesh
 }
 
 /**

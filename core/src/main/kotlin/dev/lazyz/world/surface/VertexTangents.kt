@@ -1,6 +1,6 @@
 package dev.lazyz.world.surface
 
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 import kotlin.math.sqrt
 
 /**

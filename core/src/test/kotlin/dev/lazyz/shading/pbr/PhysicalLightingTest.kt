@@ -1,19 +1,19 @@
 package dev.lazyz.shading.pbr
 
 import dev.lazyz.Checkpoint
-import dev.lazyz.Fragment
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.Workers
+import dev.lazyz.spi.Fragment
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
-import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
+import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.SceneLight
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.Shading
 import dev.lazyz.world.surface.SetUp
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

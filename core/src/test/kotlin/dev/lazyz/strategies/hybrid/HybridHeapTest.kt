@@ -1,15 +1,15 @@
 package dev.lazyz.strategies.hybrid
 
 import dev.lazyz.Depth
-import dev.lazyz.Fragment
-import dev.lazyz.LinearForm
-import dev.lazyz.PixelHash
+import dev.lazyz.Image.PixelHash
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
-import dev.lazyz.Spans
 import dev.lazyz.render
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.Spans
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.io.File
 import java.util.concurrent.TimeUnit
 import kotlinx.coroutines.flow.Flow
@@ -56,8 +56,8 @@ internal object HeapProbe {
     fun render(mode: String): String = runBlocking {
         val hash = PixelHash()
         val counters = when (mode) {
-            "zbuffer" -> ZBuffer().render(raster, blocks()) { _, argb, _, _ -> hash.add(argb, SIDE) }
-            else -> Hybrid(RenderOptions(memoryBudget = mode.toLongOrNull()))
+            "zbuffer" -> ZBufferRenderer().render(raster, blocks()) { _, argb, _, _ -> hash.add(argb, SIDE) }
+            else -> HybridRenderer(RenderOptions(memoryBudget = mode.toLongOrNull()))
                 .render(raster, blocks()) { _, argb, _, _ -> hash.add(argb, SIDE) }
         }
         "${hash.digest()} $counters"

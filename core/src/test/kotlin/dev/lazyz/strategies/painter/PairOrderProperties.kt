@@ -2,7 +2,7 @@ package dev.lazyz.strategies.painter
 
 import dev.lazyz.Counters
 import dev.lazyz.Frame
-import dev.lazyz.Spans
+import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.AwkwardFrames
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
@@ -48,7 +48,7 @@ class PairOrderProperties {
         val keys = HashMap<Pair<Int, Int>, Long>()
         val primitive = frame.primitives[index]
         for (y in frame.region.rowStart until frame.region.rowEnd) {
-            val spans = Spans(frame.region)
+            val spans = frame.region.spans()
             primitive.spans(y, spans)
             for (i in 0 until spans.count) {
                 for (x in spans.start(i) until spans.end(i)) {

@@ -1,9 +1,9 @@
 package dev.lazyz.strategies.tiled
 
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Region
-import dev.lazyz.Spans
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 import java.util.Collections
 
 /** A rectangle of constant depth, without a form, that records the rows whose spans are requested. */

@@ -1,33 +1,33 @@
 package dev.lazyz.strategies.tiled
 
-import dev.lazyz.BatchShader
-import dev.lazyz.Coherence
 import dev.lazyz.Counters
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
-import dev.lazyz.FragmentBatch
 import dev.lazyz.Frame
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Region
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
-import dev.lazyz.Shader
-import dev.lazyz.Srgb
 import dev.lazyz.behindAll
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.BatchShader
+import dev.lazyz.spi.FragmentBatch
+import dev.lazyz.spi.Shader
+import dev.lazyz.spi.Srgb
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
@@ -49,7 +49,7 @@ class TiledMeshProperties {
     fun rule_7_1_meshesComeOutAsTheirTrianglesOneByOne(@ForAll seed: Long) {
         val frame = frame(Random(seed))
         assertFalse(frame.content.batches.isEmpty())
-        val expected = ZBuffer().render(frame)
+        val expected = ZBufferRenderer().render(frame)
         val oneByOne = Frame(frame.raster, frame.primitives.toList(), frame.region)
         Statistics.label("something hidden").collect(expected.counters.fragments > expected.visible)
         Statistics.label("has exceptions").collect(frame.content.batches.any { it.exceptions.isNotEmpty() })
@@ -57,7 +57,7 @@ class TiledMeshProperties {
             val counters = HashSet<String>()
             for ((name, kernel) in kernels()) {
                 for (threads in listOf(1, THREADS[1 + Math.floorMod(seed + tileSize, 3)])) {
-                    val tiled = Tiled(Coherence.DIRECT, threads, tileSize, kernel)
+                    val tiled = TiledRenderer(Coherence.DIRECT, threads, tileSize, kernel)
                     val image = tiled.render(frame)
                     assertEquals(expected, image) { "seed $seed, $name, $threads threads, tileSize $tileSize" }
                     assertEquals(expected, tiled.render(oneByOne)) { "$seed one by one, $name, $threads, $tileSize" }
@@ -73,10 +73,10 @@ class TiledMeshProperties {
     @Property(tries = 60, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_meshesBehindGlassComeOutAsTheirTrianglesOneByOne(@ForAll seed: Long) {
         val frame = frame(Random(seed), alpha = 0.4f)
-        val expected = Lists().render(frame)
+        val expected = ListsRenderer().render(frame)
         for (kernel in kernels().values) {
             for (tileSize in listOf(8, 64)) {
-                val image = Tiled(Coherence.DIRECT, 2, tileSize, kernel).render(frame)
+                val image = TiledRenderer(Coherence.DIRECT, 2, tileSize, kernel).render(frame)
                 assertEquals(expected, image) { "seed $seed, tileSize $tileSize" }
             }
         }
@@ -85,15 +85,15 @@ class TiledMeshProperties {
     @Property(tries = 60, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_5_coherenceChangesNothing(@ForAll seed: Long, @ForAll coherence: Coherence) {
         val frame = frame(Random(seed))
-        val expected = ZBuffer().render(frame)
-        assertEquals(expected, Tiled(coherence, 2, 16).render(frame)) { "seed $seed, $coherence" }
+        val expected = ZBufferRenderer().render(frame)
+        assertEquals(expected, TiledRenderer(coherence, 2, 16).render(frame)) { "seed $seed, $coherence" }
     }
 
     @Property(tries = 100, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_whatARendererHasRenderedBeforeChangesNothing(@ForAll seed: Long) {
         val random = Random(seed)
         val frame = frame(random)
-        val expected = Tiled(Coherence.DIRECT, 2, 16).render(frame)
+        val expected = TiledRenderer(Coherence.DIRECT, 2, 16).render(frame)
         for (used in USED) {
             val image = used.render(frame)
             assertEquals(expected, image) { "seed $seed, $used" }
@@ -120,7 +120,7 @@ class TiledMeshProperties {
         val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 2.0, 1.0, 9.0)
         for (surfaces in listOf(listOf(with, without), listOf(without, with))) {
             val frame = Scene(surfaces, emptyList(), camera).frame(16, 16)
-            assertEquals(ZBuffer().render(frame), Tiled(Coherence.DIRECT, 1, 64).render(frame))
+            assertEquals(ZBufferRenderer().render(frame), TiledRenderer(Coherence.DIRECT, 1, 64).render(frame))
         }
     }
 
@@ -153,10 +153,10 @@ class TiledMeshProperties {
         for (shader in SHADERS) {
             val mesh = Mesh(positions, triangles, Material(shader = shader), numbers(3), numbers(2), numbers(4))
             val frame = Scene(listOf(mesh), emptyList(), SampleScenes.camera).frame(size, size)
-            val expected = ZBuffer().render(frame)
+            val expected = ZBufferRenderer().render(frame)
             assertTrue(expected.visible > size * size / 5)
             for (kernel in kernels().values) {
-                assertEquals(expected, Tiled(Coherence.DIRECT, 1, 256, kernel).render(frame))
+                assertEquals(expected, TiledRenderer(Coherence.DIRECT, 1, 256, kernel).render(frame))
             }
         }
     }
@@ -185,11 +185,11 @@ class TiledMeshProperties {
         val background = if (isGreater) 0 else Int.MAX_VALUE
         val raster = Raster(64, 64, depthTest = depthTest, backgroundDepth = background)
         val frame = Scene(listOf(mesh), emptyList(), camera).frame(raster)
-        val expected = ZBuffer().render(frame)
+        val expected = ZBufferRenderer().render(frame)
         for (tileSize in listOf(4, 16)) {
             val counters = HashSet<String>()
             for (threads in THREADS) {
-                val image = Tiled(Coherence.DIRECT, threads, tileSize).render(frame)
+                val image = TiledRenderer(Coherence.DIRECT, threads, tileSize).render(frame)
                 assertEquals(expected, image) { "seed $seed, $depthTest, tileSize $tileSize, $threads threads" }
                 counters += work(image.counters)
             }
@@ -206,7 +206,7 @@ class TiledMeshProperties {
         val mesh = Mesh(positions, intArrayOf(0, 1, 2), material)
         val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 2.0, 1.0, 9.0)
         val frame = Scene(listOf(glass, mesh), listOf(Light.Ambient(Rgba.WHITE)), camera).frame(16, 16)
-        assertEquals(Lists().render(frame), Tiled(Coherence.DIRECT, 1, 64).render(frame))
+        assertEquals(ListsRenderer().render(frame), TiledRenderer(Coherence.DIRECT, 1, 64).render(frame))
     }
 
     @Test
@@ -369,7 +369,7 @@ class TiledMeshProperties {
         )
 
         /** Renderers that keep arrays from one try to the next. */
-        val USED = THREADS.map { Tiled(Coherence.DIRECT, it, 16) }
+        val USED = THREADS.map { TiledRenderer(Coherence.DIRECT, it, 16) }
 
         val ROUNDS = BatchShader { batch ->
             for (i in 0 until batch.size) {

@@ -1,13 +1,13 @@
 package dev.lazyz.strategies.tiled
 
-import dev.lazyz.Coherence
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
-import dev.lazyz.Spans
+import dev.lazyz.RenderOptions.Coherence
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.CyclicBarrier
 import java.util.concurrent.Executor
@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test
 class TiledThreadsTest {
     private val raster = Raster(64, 64)
 
-    private fun tiled(threads: Int) = Tiled(Coherence.DIRECT, threads, 16)
+    private fun tiled(threads: Int) = TiledRenderer(Coherence.DIRECT, threads, 16)
 
     private fun frame(onShade: (x: Int, y: Int) -> Unit) = Frame(raster, listOf(Probe(raster.region, onShade)))
 
@@ -58,7 +58,7 @@ class TiledThreadsTest {
         val tasks = AtomicInteger()
         val executor = Executor { tasks.incrementAndGet() }
         val small = Frame(Raster(17, 16), listOf(Probe(Region(0, 0, 17, 16)) { _, _ -> }))
-        Tiled(RenderOptions(threads = 50, tileSize = 16, executor = executor)).render(small)
+        TiledRenderer(RenderOptions(threads = 50, tileSize = 16, executor = executor)).render(small)
         assertEquals(1, tasks.get())
     }
 
@@ -137,7 +137,7 @@ class TiledThreadsTest {
             }
             Thread(run).apply { isDaemon = true }.start()
         }
-        val renderer = Tiled(RenderOptions(threads = 3, tileSize = 16, executor = executor))
+        val renderer = TiledRenderer(RenderOptions(threads = 3, tileSize = 16, executor = executor))
         val rows = ArrayList<Int>()
         renderer.render(frame { _, _ -> }) { y, _, _, _ ->
             // The threads of the executor have nothing to do, and wait

@@ -1,18 +1,21 @@
 package dev.lazyz.world.material
 
-import dev.lazyz.Fragment
 import dev.lazyz.Image
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
 import dev.lazyz.Selector
-import dev.lazyz.Shader
 import dev.lazyz.samples
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Shader
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
@@ -36,11 +39,11 @@ class MaterialTest {
     )
 
     private fun image(vararg surfaces: Surface, size: Int = 8): Image =
-        ZBuffer().render(Scene(surfaces.toList(), listOf(Light.Ambient(Rgba.WHITE)), camera).frame(size, size))
+        ZBufferRenderer().render(Scene(surfaces.toList(), listOf(Light.Ambient(Rgba.WHITE)), camera).frame(size, size))
 
     @Test
     fun rule_2_7_aMaskIsCoverage() {
-        val half = Texture(2, 1, intArrayOf(0x7FFF0000, 0x80FF0000.toInt()), TextureFilter.NEAREST)
+        val half = Texture(2, 1, intArrayOf(0x7FFF0000, 0x80FF0000.toInt()), Texture.Filter.NEAREST)
         for (shading in Shading.entries) {
             val masked = Material(texture = half, shading = shading, alphaMode = AlphaMode.MASK)
             val green = Material(Rgba(0f, 1f, 0f), shading = Shading.CONSTANT)
@@ -72,7 +75,7 @@ class MaterialTest {
                 val material = Material(Rgba(1f, 1f, 1f, 0.6f), shading = shading, alphaMode = mode)
                 val expected = if (mode == AlphaMode.BLEND) 153 else 255
                 val frame = Scene(listOf(square(material)), viewpoint = camera).frame(8, 8)
-                val unblended = Lists(RenderOptions(selector = Selector.nearest())).render(frame)
+                val unblended = ListsRenderer(RenderOptions(selector = Selector.nearest())).render(frame)
                 assertEquals(expected, unblended.argb(3, 3) ushr 24) { "$shading $mode" }
                 assertEquals(mode == AlphaMode.BLEND, material.isTranslucent)
             }

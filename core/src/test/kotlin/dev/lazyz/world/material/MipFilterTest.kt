@@ -1,11 +1,12 @@
 package dev.lazyz.world.material
 
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
-import dev.lazyz.Srgb
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Srgb
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
@@ -118,7 +119,7 @@ class MipFilterTest {
         val codes = texture(2, 1) { x, _ -> if (x == 0) WHITE else BLACK }.withMipFilter(MipFilter.TRILINEAR)
         val far = listOf(9.0, 0.0, 0.0, 9.0)
         assertEquals(0.5f, read(codes, 0.4, 0.7, far)[0], 0.005f)
-        assertEquals(128 / 255f, read(codes.withEncoding(TextureEncoding.LINEAR), 0.4, 0.7, far)[0], 1e-6f)
+        assertEquals(128 / 255f, read(codes.withEncoding(Texture.Encoding.LINEAR), 0.4, 0.7, far)[0], 1e-6f)
     }
 
     /** No level of an image of any size is darker or lighter than the image. */

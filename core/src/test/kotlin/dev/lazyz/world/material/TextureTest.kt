@@ -20,8 +20,8 @@ class TextureTest {
 
     @Test
     fun rule_6_6_nearestIsTheTexelAroundInAllCopies() {
-        for (wrap in TextureWrap.entries) {
-            val texture = Texture(4, 2, numbered(4, 2), TextureFilter.NEAREST, wrap, wrap)
+        for (wrap in Texture.Wrap.entries) {
+            val texture = Texture(4, 2, numbered(4, 2), Texture.Filter.NEAREST, wrap, wrap)
             for (i in -12..12) {
                 for (j in -6..6) {
                     val texel = linear(texture, index(i, 4, wrap), index(j, 2, wrap))
@@ -38,9 +38,9 @@ class TextureTest {
     fun rule_6_6_bilinearMixesFourTexelsInLinearLight() {
         val random = Random(3)
         for ((wrap, width, height) in listOf(
-            Triple(TextureWrap.REPEAT, 5, 3), Triple(TextureWrap.CLAMP, 5, 3),
-            Triple(TextureWrap.REPEAT, 1, 1), Triple(TextureWrap.CLAMP, 1, 2),
-            Triple(TextureWrap.MIRROR, 5, 3), Triple(TextureWrap.MIRROR, 1, 2),
+            Triple(Texture.Wrap.REPEAT, 5, 3), Triple(Texture.Wrap.CLAMP, 5, 3),
+            Triple(Texture.Wrap.REPEAT, 1, 1), Triple(Texture.Wrap.CLAMP, 1, 2),
+            Triple(Texture.Wrap.MIRROR, 5, 3), Triple(Texture.Wrap.MIRROR, 1, 2),
         )) {
             val texels = IntArray(width * height) { random.nextInt() }
             val texture = Texture(width, height, texels, wrapU = wrap, wrapV = wrap)
@@ -53,9 +53,9 @@ class TextureTest {
     }
 
     /** The sum of all texels of all copies around the point, with tent weights, in double precision. */
-    private fun plain(texture: Texture, wrap: TextureWrap, u: Float, v: Float): FloatArray {
-        val x = if (wrap == TextureWrap.CLAMP) u.coerceIn(0f, 1f) else u
-        val y = if (wrap == TextureWrap.CLAMP) v.coerceIn(0f, 1f) else v
+    private fun plain(texture: Texture, wrap: Texture.Wrap, u: Float, v: Float): FloatArray {
+        val x = if (wrap == Texture.Wrap.CLAMP) u.coerceIn(0f, 1f) else u
+        val y = if (wrap == Texture.Wrap.CLAMP) v.coerceIn(0f, 1f) else v
         val sums = DoubleArray(4)
         for (j in -3 * texture.height..3 * texture.height) {
             for (i in -3 * texture.width..3 * texture.width) {
@@ -72,10 +72,10 @@ class TextureTest {
         return FloatArray(4) { sums[it].toFloat() }
     }
 
-    private fun index(i: Int, size: Int, wrap: TextureWrap): Int = when (wrap) {
-        TextureWrap.REPEAT -> Math.floorMod(i, size)
-        TextureWrap.CLAMP -> i.coerceIn(0, size - 1)
-        TextureWrap.MIRROR -> Math.floorMod(i, 2 * size).let { if (it < size) it else 2 * size - 1 - it }
+    private fun index(i: Int, size: Int, wrap: Texture.Wrap): Int = when (wrap) {
+        Texture.Wrap.REPEAT -> Math.floorMod(i, size)
+        Texture.Wrap.CLAMP -> i.coerceIn(0, size - 1)
+        Texture.Wrap.MIRROR -> Math.floorMod(i, 2 * size).let { if (it < size) it else 2 * size - 1 - it }
     }
 
     private fun tent(distance: Double): Double = maxOf(0.0, 1 - Math.abs(distance))
@@ -86,11 +86,11 @@ class TextureTest {
             Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.MAX_VALUE, -Float.MAX_VALUE,
             -1e-30f, Float.MIN_VALUE, Math.nextDown(1f), 1e10f, -0f,
         )
-        for (filter in TextureFilter.entries) {
-            for (wrap in TextureWrap.entries) {
+        for (filter in Texture.Filter.entries) {
+            for (wrap in Texture.Wrap.entries) {
                 val texture = Texture(3, 3, numbered(3, 3), filter, wrap, wrap)
                 for (u in strange) for (v in strange) assertTrue(read(texture, u, v).all { it in 0f..1f })
-                if (filter == TextureFilter.NEAREST) {
+                if (filter == Texture.Filter.NEAREST) {
                     assertArrayEquals(read(texture, 0f, 0f), read(texture, Float.NaN, Float.POSITIVE_INFINITY))
                 }
             }
@@ -99,7 +99,7 @@ class TextureTest {
 
     @Test
     fun rule_6_6_theGreatestCoordinateIsAtTheEnd() {
-        val clamped = Texture(3, 3, numbered(3, 3), TextureFilter.NEAREST, TextureWrap.CLAMP, TextureWrap.CLAMP)
+        val clamped = Texture(3, 3, numbered(3, 3), Texture.Filter.NEAREST, Texture.Wrap.CLAMP, Texture.Wrap.CLAMP)
         for (far in listOf(Float.MAX_VALUE, -Float.MAX_VALUE)) {
             assertArrayEquals(read(clamped, Math.signum(far), 0f), read(clamped, far, 0f))
         }

@@ -2,7 +2,6 @@ package dev.lazyz.world.surface
 
 import dev.lazyz.Depth
 import dev.lazyz.Fraction
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
@@ -10,10 +9,11 @@ import dev.lazyz.SampleScenes
 import dev.lazyz.SampleSet
 import dev.lazyz.samples
 import dev.lazyz.samplesByCursor
+import dev.lazyz.spi.Fragment
 import dev.lazyz.world.Camera
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll

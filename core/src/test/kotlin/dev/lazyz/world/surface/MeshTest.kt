@@ -3,10 +3,11 @@ package dev.lazyz.world.surface
 import dev.lazyz.SampleScenes
 import dev.lazyz.drawing.Solids
 import dev.lazyz.geometry.Box
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.surface.Polygon.Vertex
 import java.util.Random
 import org.joml.Matrix4d
 import org.joml.Vector3d
@@ -71,7 +72,7 @@ class MeshTest {
             floatArrayOf(0f, 0f, 0f, 1f, 0.1f, 0f, 0.2f, 1f, 0.5f), intArrayOf(0, 1, 2),
             Material(shading = Shading.PHONG), normals, tangents = tangents,
         )
-        fun picture(mesh: Mesh) = ZBuffer().render(Scene(listOf(mesh)).frame(40, 40)).argb
+        fun picture(mesh: Mesh) = ZBufferRenderer().render(Scene(listOf(mesh)).frame(40, 40)).argb
         assertArrayEquals(picture(mesh), picture(mesh.transformed(Matrix4d())))
         val moved = mesh.transformed(Matrix4d().translation(1.0, 2.0, 3.0))
         assertArrayEquals(normals, moved.normals)

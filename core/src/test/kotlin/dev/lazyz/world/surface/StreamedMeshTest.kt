@@ -12,14 +12,15 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightMeter
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
-import dev.lazyz.strategies.hybrid.Hybrid
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.hierarchical.HierarchicalRenderer
+import dev.lazyz.strategies.hybrid.HybridRenderer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.surface.StreamedMesh.MeshSource
 import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
 import org.joml.Matrix4d
@@ -33,8 +34,8 @@ import org.junit.jupiter.api.Test
 /** Meshes that are read part by part give the picture of the same mesh in memory. */
 class StreamedMeshTest {
     private val streaming: List<Renderer> = listOf(
-        Tiled(), Tiled(RenderOptions(threads = 1, tileSize = 8)), ZBuffer(), Hybrid(),
-        Hybrid(RenderOptions(memoryBudget = 500)), HierarchicalZBuffer(),
+        TiledRenderer(), TiledRenderer(RenderOptions(threads = 1, tileSize = 8)), ZBufferRenderer(), HybridRenderer(),
+        HybridRenderer(RenderOptions(memoryBudget = 500)), HierarchicalRenderer(),
     )
 
     /** Large and small triangles that cross, with some that are equal, so that the order of submission decides. */
@@ -117,7 +118,7 @@ class StreamedMeshTest {
             val actual = Scene(listOf(far, parts), emptyList(), camera).frame(80, 60)
             for (column in 0 until 80 step 4) {
                 val region = Region(column, 5, column + 4, 55)
-                val image = Tiled().render(expected.within(region))
+                val image = TiledRenderer().render(expected.within(region))
                 for (renderer in streaming) {
                     assertSame(image, renderer.render(actual.within(region)), "$renderer, $seed, $region")
                 }
@@ -151,10 +152,10 @@ class StreamedMeshTest {
         val glass = Material(Rgba(1f, 1f, 1f, 0.5f)).withAlphaMode(AlphaMode.BLEND)
         val whole = mesh(5).withMaterials { glass }
         val parts = StreamedMesh(Pieces(mesh(5), 50), glass)
-        val expected = Tiled().render(Scene(listOf(sphere(), whole)).frame(60, 60))
+        val expected = TiledRenderer().render(Scene(listOf(sphere(), whole)).frame(60, 60))
         val frame = Scene(listOf(sphere(), parts)).frame(60, 60)
         for (renderer in streaming) {
-            if (renderer is Tiled) {
+            if (renderer is TiledRenderer) {
                 assertSame(expected, renderer.render(frame), "$renderer")
             } else {
                 val refused = assertThrows(IllegalArgumentException::class.java) { renderer.render(frame) }

@@ -7,11 +7,12 @@ import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.sections.Section
 import dev.lazyz.sections.SectionPlane
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Polygon.Vertex
 import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -87,7 +88,7 @@ class SurfaceNamesTest {
         val unnamed = Sphere(Vector3d(1.0, -1.0, 0.0), 0.5)
         val scene = Scene(listOf(mesh.transformed(left), unnamed, streamed), viewpoint = camera)
         for (surfaces in listOf(scene.surfaces, scene.surfaces.take(2) + mesh.withName("scan"))) {
-            for (strategy in listOf(Tiled(), ZBuffer())) {
+            for (strategy in listOf(TiledRenderer(), ZBufferRenderer())) {
                 val frame = SuperSampling(2).frame(scene.withSurfaces(surfaces), Raster(40, 40))
                 val objects = AovFrame(frame, setOf(Aov.OBJECT)).render(strategy)[Aov.OBJECT]
                 assertEquals(listOf("car/wheel", "", "scan"), objects.names)

@@ -5,7 +5,7 @@ import dev.lazyz.filter.SuperSampling
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import java.io.ByteArrayInputStream
 import java.io.IOException
@@ -30,7 +30,7 @@ class RenderServerTest {
         assertEquals("image/png", answer.headers().firstValue("content-type").get())
 
         val scene = Scenes.load(Client.MODEL, SceneFormat.OBJ).scene.withViewpoint(Camera.fit(0.0, 0.0))
-        val local = SuperSampling(2).frame(scene, Raster(64, 48, scene.background)).render(ZBuffer())
+        val local = SuperSampling(2).frame(scene, Raster(64, 48, scene.background)).render(ZBufferRenderer())
         val picture = ImageIO.read(ByteArrayInputStream(answer.body()))
         assertArrayEquals(local.argb, picture.getRGB(0, 0, 64, 48, null, 0, 64))
         assertEquals("\"64x48-${local.pixelHash()}\"", answer.headers().firstValue("etag").get())

@@ -14,7 +14,7 @@ import dev.lazyz.spark.triangles.jobs.Planner
 import dev.lazyz.spark.triangles.jobs.SortLast
 import dev.lazyz.spark.triangles.jobs.SortMiddle
 import dev.lazyz.spark.triangles.jobs.TableExtent
-import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.surface.Mesh
 import java.io.IOException
 import java.nio.file.Path

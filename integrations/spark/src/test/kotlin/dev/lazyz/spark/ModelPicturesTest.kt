@@ -7,7 +7,7 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.scenes.writers.toPng
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import java.nio.ByteBuffer
 import java.nio.file.Path
@@ -40,7 +40,7 @@ class ModelPicturesTest {
     private fun expected(bytes: ByteArray, format: SceneFormat, up: UpAxis): Image {
         val loaded = Scenes.load(bytes, format)
         val scene = loaded.scene.withViewpoint(Camera.fit()).withUpAxis(up)
-        return ZBuffer().render(scene.frame(loaded.raster(64, 48)))
+        return ZBufferRenderer().render(scene.frame(loaded.raster(64, 48)))
     }
 
     private val plain = "size=64x48 aa=1 light-intensity=1"

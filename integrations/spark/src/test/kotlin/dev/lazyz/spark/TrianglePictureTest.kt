@@ -12,11 +12,11 @@ import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.writers.toPng
 import dev.lazyz.spark.triangles.CameraValues
 import dev.lazyz.spark.triangles.TriangleScene
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Surface
 import java.nio.ByteBuffer
@@ -82,7 +82,7 @@ class TrianglePictureTest {
     fun bitsAreThoseOfOneJvm(order: SortOrder, shading: SortedShading, @TempDir folder: Path) {
         val file = stl(folder)
         val frame = frame(file, 300, 200)
-        val expected = ZBuffer().render(frame)
+        val expected = ZBufferRenderer().render(frame)
 
         // Twelve partitions, so that they are merged in two steps, and in another order
         val triangles = TriangleTable.readStl(spark, "$file", partitionBytes = 6000).repartition(12, col("x0"))
@@ -105,7 +105,7 @@ class TrianglePictureTest {
         val file = stl(folder)
         val triangles = TriangleTable.readStl(spark, "$file", partitionBytes = 60_000).cache()
         val picture = TrianglePicture(triangles, 90, 80, TriangleScene { Upright.fitted(it) })
-        assertEquals(ZBuffer().render(frame(file, 90, 80)), image(picture).first)
+        assertEquals(ZBufferRenderer().render(frame(file, 90, 80)), image(picture).first)
     }
 
     /** Equal triangles in different partitions: the smallest index wins. */
@@ -127,7 +127,7 @@ class TrianglePictureTest {
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun severalBandsAreThoseOfOneJvm(@TempDir folder: Path) {
         val file = stl(folder)
-        val expected = ZBuffer().render(frame(file, 1300, 1000))
+        val expected = ZBufferRenderer().render(frame(file, 1300, 1000))
         val triangles = TriangleTable.readStl(spark, "$file", partitionBytes = 40_000).cache()
         for (order in SortOrder.entries) {
             val (image, _) = image(TrianglePicture(triangles, 1300, 1000, Upright(1300, 1000), order))
@@ -147,7 +147,7 @@ class TrianglePictureTest {
             Upright.fitted(it).withViewpoint(camera)
         }
         val loaded = Scenes.load(file, LoadOptions(smoothNormals = false)).scene.surfaces.single()
-        val expected = ZBuffer().render(inside.scene(loaded).frame(200, 150))
+        val expected = ZBufferRenderer().render(inside.scene(loaded).frame(200, 150))
         check(expected.visible > 1000)
         val triangles = TriangleTable.readStl(spark, "$file", partitionBytes = 40_000)
         for (order in SortOrder.entries) {
@@ -167,7 +167,7 @@ class TrianglePictureTest {
         assertTrue("column 'z2' of type float" in error.message!!, error.message)
         val right = TrianglePicture(triangles, 120, 80, Upright(120, 80))
         right.writePng(folder.resolve("t.png"))
-        assertArrayEquals(ZBuffer().render(frame(file, 120, 80)).toPng(), folder.resolve("t.png").readBytes())
+        assertArrayEquals(ZBufferRenderer().render(frame(file, 120, 80)).toPng(), folder.resolve("t.png").readBytes())
     }
 
     @Test
@@ -180,7 +180,7 @@ class TrianglePictureTest {
             val camera = Upright.fitted(loaded).camera(160, 120)
             val values = CameraValues(camera)
             val scene = TriangleScene { Upright.fitted(it).withViewpoint(values.camera()) }
-            val expected = ZBuffer().render(scene.scene(loaded).frame(160, 120))
+            val expected = ZBufferRenderer().render(scene.scene(loaded).frame(160, 120))
             assertEquals(expected, image(TrianglePicture(triangles, 160, 120, scene)).first)
         }
     }

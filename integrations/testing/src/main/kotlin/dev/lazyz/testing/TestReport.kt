@@ -51,7 +51,7 @@ internal class TestReport(private val settings: GoldenSettings, private val test
         val name = fileName(failure)
         val actual = folder.resolve("$name.actual.png")
         val difference = failure.difference?.let { folder.resolve("$name.difference.png") }
-        val part = ReportPage.part(test, failure).toByteArray()
+        val part = FailurePage.part(test, failure).toByteArray()
         exclusively {
             WholeFile.write(actual, failure.actual.png)
             if (difference != null) WholeFile.write(difference, failure.difference)
@@ -76,7 +76,7 @@ internal class TestReport(private val settings: GoldenSettings, private val test
         if (parts.isEmpty()) {
             Files.deleteIfExists(page)
         } else {
-            WholeFile.write(page, ReportPage.of(parts).toByteArray())
+            WholeFile.write(page, FailurePage.of(parts).toByteArray())
         }
     }
 

@@ -6,7 +6,7 @@ import dev.lazyz.RenderOptions;
 import dev.lazyz.filter.SuperSampling;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.writers.Images;
-import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.strategies.tiled.TiledRenderer;
 import org.junit.jupiter.api.Test;
 
 /** The same from Java. */
@@ -16,7 +16,7 @@ class JavaTest {
         assertThat(Scenes.teapot())
                 .at(120, 90)
                 .withAntiAliasing(new SuperSampling(2))
-                .withRenderer(new Tiled())
+                .withRenderer(new TiledRenderer())
                 .withOptions(new RenderOptions().withThreads(2))
                 .withThreshold(0)
                 .matches("golden/teapot.png");
@@ -24,7 +24,7 @@ class JavaTest {
 
     @Test
     void image() throws InterruptedException {
-        var image = new Tiled().render(Scenes.city(2).frame(96, 72));
+        var image = new TiledRenderer().render(Scenes.city(2).frame(96, 72));
         assertThat(image).matches("golden/city.png");
         assertThat(Images.toPng(image)).withThreshold(0.5).matches("golden/city.png");
     }

@@ -4,12 +4,12 @@ import dev.lazyz.Capability
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
-import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.SuperSampling
+import dev.lazyz.filter.SuperSampling.PixelFilter
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.writers.toPng
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -38,7 +38,7 @@ class GoldenPicturesTest {
         val city = assertThat(Scenes.city(blocks = 2)).at(96, 72).withOptions(options)
         city.matches("golden/city-farthest.png")
         val message = assertThrows(IllegalArgumentException::class.java) {
-            city.withRenderer(ZBuffer()).matches("golden/city-farthest.png")
+            city.withRenderer(ZBufferRenderer()).matches("golden/city-farthest.png")
         }.message
         assertTrue(Capability.SELECTION.name in message!!, message)
     }
@@ -46,7 +46,7 @@ class GoldenPicturesTest {
     @Test
     fun imagesAndPngFilesInMemory() {
         val sampling = SuperSampling(2, PixelFilter.MITCHELL)
-        val image = sampling.frame(Scenes.teapot(), Raster(64, 64)).render(ZBuffer())
+        val image = sampling.frame(Scenes.teapot(), Raster(64, 64)).render(ZBufferRenderer())
         assertThat(image).matches("golden/teapot-mitchell.png")
         assertThat(image.toPng()).matches("golden/teapot-mitchell.png")
     }

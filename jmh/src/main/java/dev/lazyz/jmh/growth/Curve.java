@@ -12,7 +12,7 @@ import java.util.OptionalDouble;
  * @param points in ascending order of values
  */
 record Curve(List<double[]> points) {
-    static Curve of(Measurements results, String quantity, Axis axis, String strategy) {
+    static Curve of(Measurements results, String quantity, GrowthAxis axis, String strategy) {
         List<double[]> points = new ArrayList<>();
         for (long value : axis.values) {
             double median =
@@ -25,7 +25,7 @@ record Curve(List<double[]> points) {
     }
 
     /** Returns the numbers of the frame at a value of an axis; null if it was not measured. */
-    static FrameNumbers numbers(Measurements results, Axis axis, long value) {
+    static FrameNumbers numbers(Measurements results, GrowthAxis axis, long value) {
         String subject = axis.subject(value);
         OptionalDouble primitives = results.median(Growth.PRIMITIVES, subject, Growth.FRAME);
         if (primitives.isEmpty()) {

@@ -12,7 +12,7 @@ import dev.lazyz.jmh.report.Measurements;
 import dev.lazyz.jmh.report.Options;
 import dev.lazyz.strategies.FrameNumbers;
 import dev.lazyz.strategies.Renderers;
-import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.strategies.tiled.TiledRenderer;
 import dev.lazyz.world.Scene;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -82,10 +82,10 @@ public final class Growth {
         results.noteMachine();
         results.note("command", ("Growth " + String.join(" ", args)).trim());
         results.note("heap MiB", Long.toString(Runtime.getRuntime().maxMemory() >> 20));
-        results.note("kernel of tiled", new Tiled().getKernel().toString());
+        results.note("kernel of tiled", new TiledRenderer().getKernel().toString());
         growth.warmUp(Double.parseDouble(options.get("warm-up", "2")));
         for (String axis : axes) {
-            growth.measure(Axis.find(axis), Integer.parseInt(options.get("points", "9")));
+            growth.measure(GrowthAxis.find(axis), Integer.parseInt(options.get("points", "9")));
 
             // If a long run is stopped, the results so far are kept
             results.write(file);
@@ -97,7 +97,8 @@ public final class Growth {
 
     /** Renders representative scenes with each strategy, for some seconds. */
     private void warmUp(double seconds) throws InterruptedException, IOException {
-        List<Scene> scenes = List.of(Axis.TRIANGLES.scene(1_000), Axis.DEPTH.scene(10), Axis.SHADING.scene(3));
+        List<Scene> scenes =
+                List.of(GrowthAxis.TRIANGLES.scene(1_000), GrowthAxis.DEPTH.scene(10), GrowthAxis.SHADING.scene(3));
         for (Renderer renderer : Renderers.getBuiltIn()) {
             long end = System.nanoTime() + (long) (1e9 * seconds);
             do {
@@ -108,7 +109,7 @@ public final class Growth {
         }
     }
 
-    private void measure(Axis axis, int points) throws InterruptedException, IOException {
+    private void measure(GrowthAxis axis, int points) throws InterruptedException, IOException {
         Set<String> skipped = new HashSet<>();
         for (long value : axis.first(points).toArray()) {
             measure(axis, value, skipped);
@@ -116,7 +117,7 @@ public final class Growth {
     }
 
     /** Measures all strategies at a point but those that are skipped; strategies that fail are added to them. */
-    private void measure(Axis axis, long value, Set<String> skipped) throws InterruptedException, IOException {
+    private void measure(GrowthAxis axis, long value, Set<String> skipped) throws InterruptedException, IOException {
         String subject = axis.subject(value);
         Scene scene = axis.scene(value);
         Raster raster = new Raster(axis.side(value), axis.side(value), Rgba.TRANSPARENT);
@@ -127,14 +128,15 @@ public final class Growth {
         long[] expected = new long[1];
         List<Renderer> repeated = new ArrayList<>();
         for (Renderer builtIn : Renderers.getBuiltIn()) {
-            boolean canShare = axis != Axis.THREADS || builtIn.getCapabilities().contains(Capability.PARALLEL);
+            boolean canShare =
+                    axis != GrowthAxis.THREADS || builtIn.getCapabilities().contains(Capability.PARALLEL);
             if (!canShare || skipped.contains(builtIn.getId())) {
                 continue;
             }
             Renderer renderer = with(builtIn, axis.threads(value));
             try {
                 Cost first = first(renderer, scene, raster, expected);
-                if (first.millis > 1e3 * limit && axis != Axis.SCENES) {
+                if (first.millis > 1e3 * limit && axis != GrowthAxis.SCENES) {
                     skipped.add(renderer.getId());
                 }
                 if (first.millis > 250 * limit) {

@@ -1,8 +1,8 @@
 package dev.lazyz.jmh.growth;
 
 import dev.lazyz.jmh.report.Charts;
+import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Measurements;
-import dev.lazyz.jmh.report.Page;
 import dev.lazyz.strategies.FrameNumbers;
 import dev.lazyz.strategies.StrategyEstimates;
 import java.io.IOException;
@@ -28,7 +28,8 @@ public final class GrowthPage {
     static final double TOLERANCE = 1.5;
 
     /** Axes along which something grows for all strategies. */
-    private static final List<Axis> CURVES = List.of(Axis.TRIANGLES, Axis.PIXELS, Axis.SMALL, Axis.DEPTH, Axis.SHADING);
+    private static final List<GrowthAxis> CURVES =
+            List.of(GrowthAxis.TRIANGLES, GrowthAxis.PIXELS, GrowthAxis.SMALL, GrowthAxis.DEPTH, GrowthAxis.SHADING);
 
     final ModelFit fit;
     private final Measurements results;
@@ -49,7 +50,7 @@ public final class GrowthPage {
         Path file = Path.of(args[1]);
         GrowthPage page = new GrowthPage(Measurements.read(file));
         Files.writeString(Path.of(args[2]), page.fit.toKotlin());
-        Page.update(Path.of(args[0]), page::section);
+        GeneratedPage.update(Path.of(args[0]), page::section);
         page.writeCharts(file.toAbsolutePath().getParent());
     }
 
@@ -78,29 +79,29 @@ public final class GrowthPage {
         for (String strategy : fit.strategies()) {
             rows.add(List.of(
                     strategy,
-                    Page.time(time(new Point(Axis.TRIANGLES, 1_000_000), strategy)),
-                    Page.time(time(new Point(Axis.PIXELS, 4096L * 4096), strategy)),
-                    Page.bytes(results.median(Growth.PEAK, Axis.PIXELS.subject(4096L * 4096), strategy)),
-                    Page.time(time(new Point(Axis.DEPTH, 1_000), strategy)),
-                    Page.time(time(new Point(Axis.SHADING, 1_000), strategy))));
+                    GeneratedPage.time(time(new Point(GrowthAxis.TRIANGLES, 1_000_000), strategy)),
+                    GeneratedPage.time(time(new Point(GrowthAxis.PIXELS, 4096L * 4096), strategy)),
+                    GeneratedPage.bytes(results.median(Growth.PEAK, GrowthAxis.PIXELS.subject(4096L * 4096), strategy)),
+                    GeneratedPage.time(time(new Point(GrowthAxis.DEPTH, 1_000), strategy)),
+                    GeneratedPage.time(time(new Point(GrowthAxis.SHADING, 1_000), strategy))));
         }
         List<Point> compared =
                 points().stream().filter(point -> measured(point).size() > 1).toList();
         long best = compared.stream()
                 .filter(point -> fastest(point, measured(point)).equals("tiled"))
                 .count();
-        return Page.table(head, rows) + "\n`tiled` is the fastest in " + best + " of " + compared.size()
-                + " measured frames. " + Page.source(results);
+        return GeneratedPage.table(head, rows) + "\n`tiled` is the fastest in " + best + " of " + compared.size()
+                + " measured frames. " + GeneratedPage.source(results);
     }
 
     private void writeCharts(Path folder) throws IOException {
-        for (Axis axis : CURVES) {
+        for (GrowthAxis axis : CURVES) {
             chart(folder.resolve(axis.id() + "-time.png"), "Time of a frame", "ms", axis, Growth.TIME);
             chart(folder.resolve(axis.id() + "-memory.png"), "Working memory", "bytes", axis, Growth.PEAK);
         }
     }
 
-    private void chart(Path file, String title, String unit, Axis axis, String quantity) throws IOException {
+    private void chart(Path file, String title, String unit, GrowthAxis axis, String quantity) throws IOException {
         Map<String, List<double[]>> curves = new LinkedHashMap<>();
         for (String strategy : fit.strategies()) {
             curves.put(strategy, Curve.of(results, quantity, axis, strategy).points());
@@ -111,11 +112,11 @@ public final class GrowthPage {
     }
 
     /** A value on an axis. */
-    private record Point(Axis axis, long value) {}
+    private record Point(GrowthAxis axis, long value) {}
 
     private List<Point> points() {
         List<Point> points = new ArrayList<>();
-        for (Axis axis : Axis.values()) {
+        for (GrowthAxis axis : GrowthAxis.values()) {
             axis.first(axis.values.length).forEach(value -> points.add(new Point(axis, value)));
         }
         return points;

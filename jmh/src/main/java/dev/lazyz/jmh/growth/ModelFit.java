@@ -73,7 +73,7 @@ final class ModelFit {
     OptionalDouble serialShare(String strategy) {
         double[] times = new double[3];
         for (int threads = 1; threads < times.length; threads++) {
-            times[threads] = results.median(Growth.TIME, Axis.THREADS.subject(threads), strategy)
+            times[threads] = results.median(Growth.TIME, GrowthAxis.THREADS.subject(threads), strategy)
                     .orElse(0);
         }
         return times[1] == 0 || times[2] == 0
@@ -84,10 +84,10 @@ final class ModelFit {
     /** Fits a quantity to all points with one thread but those of the built-in scenes. */
     private double[] fit(String strategy, String quantity, double unit, Function<FrameNumbers, double[]> terms) {
         List<double[]> rows = new ArrayList<>();
-        for (Axis axis : Axis.values()) {
+        for (GrowthAxis axis : GrowthAxis.values()) {
             for (long point : axis.values) {
                 OptionalDouble value = results.median(quantity, axis.subject(point), strategy);
-                if (value.isPresent() && axis.threads(point) == 1 && axis != Axis.SCENES) {
+                if (value.isPresent() && axis.threads(point) == 1 && axis != GrowthAxis.SCENES) {
                     double[] row = terms.apply(Curve.numbers(results, axis, point));
                     for (int i = 0; i < row.length; i++) {
                         row[i] /= value.getAsDouble() * unit;

@@ -9,12 +9,12 @@ import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadOptions;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.StreamedScene;
-import dev.lazyz.strategies.tiled.Tiled;
-import dev.lazyz.strategies.zbuffer.ZBuffer;
+import dev.lazyz.strategies.tiled.TiledRenderer;
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.surface.Mesh;
-import dev.lazyz.world.surface.MeshSource;
 import dev.lazyz.world.surface.StreamedMesh;
+import dev.lazyz.world.surface.StreamedMesh.MeshSource;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -141,7 +141,7 @@ public final class LargeModel {
         LoadOptions flat = new LoadOptions(new LoadLimits(), null, false);
         Frame frame = Scenes.load(file, flat).getScene().frame(side, side);
         String loaded = seconds(start);
-        Image image = new Tiled().render(frame);
+        Image image = new TiledRenderer().render(frame);
         return seconds(start) + " (loaded after " + loaded + "), " + image.pixelHash();
     }
 
@@ -151,7 +151,7 @@ public final class LargeModel {
             String opened = seconds(start);
             Frame frame = streamed.getLoaded().getScene().frame(side, side);
             String framed = seconds(start);
-            Image image = new Tiled().render(frame);
+            Image image = new TiledRenderer().render(frame);
             return seconds(start) + " (opened after " + opened + ", camera after " + framed + "), "
                     + counters(image.getCounters()) + image.pixelHash();
         }
@@ -176,7 +176,7 @@ public final class LargeModel {
             for (int first = 0; first < source.getPartCount(); first += PARTS) {
                 Mesh mesh = source.read(first, Math.min(PARTS, source.getPartCount() - first));
                 Frame piece = seen.withSurfaces(List.of(mesh)).frame(raster);
-                new ZBuffer().render(piece, (y, argb, depth, primitive) -> {
+                new ZBufferRenderer().render(piece, (y, argb, depth, primitive) -> {
                     for (int x = 0; x < side; x++) {
                         // Where depths are equal, the earlier piece has the smaller submission index
                         if (depth[x] < depths[y * side + x]) {

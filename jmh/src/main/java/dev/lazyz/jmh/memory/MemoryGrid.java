@@ -3,8 +3,8 @@ package dev.lazyz.jmh.memory;
 import dev.lazyz.Renderer;
 import dev.lazyz.StreamingRenderer;
 import dev.lazyz.jmh.large.Hills;
+import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Options;
-import dev.lazyz.jmh.report.Page;
 import dev.lazyz.strategies.Renderers;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -85,7 +85,7 @@ public final class MemoryGrid {
                     grid.rendered, grid.refused, grid.failed);
             Path page = Path.of(options.get("page", "docs/memory.md"));
             if (Files.exists(page)) {
-                Page.update(page, tables::get);
+                GeneratedPage.update(page, tables::get);
             }
         } finally {
             delete(folder);
@@ -145,7 +145,7 @@ public final class MemoryGrid {
             rows.add(row);
             System.out.println(String.join(" | ", row));
         }
-        return Page.table(head, rows);
+        return GeneratedPage.table(head, rows);
     }
 
     /** Returns the least amount from which on the picture is rendered in all formats; a dash if there is none. */

@@ -5,6 +5,8 @@ import dev.lazyz.jmh.workload.Triangles;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /**
  * A program that is measured.
@@ -66,6 +68,19 @@ record Contender(String name, Kind kind, List<String> command) {
             case VTK -> isPlain;
             case JMOL -> threads == 1 && isPlain && !isPerspective;
         };
+    }
+
+    /** Returns a builder of a process on as many processors as it has threads; its errors are discarded. */
+    static ProcessBuilder builder(List<String> command, int threads) {
+        String processors =
+                IntStream.range(0, threads).mapToObj(Integer::toString).collect(Collectors.joining(","));
+        List<String> pinned = new ArrayList<>(List.of("taskset", "-c", processors));
+        pinned.addAll(command);
+        ProcessBuilder builder = new ProcessBuilder(pinned).redirectError(ProcessBuilder.Redirect.DISCARD);
+        builder.environment().put("LP_NUM_THREADS", Integer.toString(threads));
+        builder.environment().put("GALLIUM_DRIVER", "llvmpipe");
+        builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+        return builder;
     }
 
     /** Whether this is Lazy Z, or a program that Lazy Z is primarily compared with. */

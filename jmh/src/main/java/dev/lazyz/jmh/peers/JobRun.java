@@ -7,7 +7,7 @@ import dev.lazyz.scenes.Scenes;
 import dev.lazyz.scenes.writers.AlphaChannel;
 import dev.lazyz.scenes.writers.ImageFiles;
 import dev.lazyz.scenes.writers.ImageFormat;
-import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.strategies.tiled.TiledRenderer;
 import dev.lazyz.world.Scene;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -28,7 +28,7 @@ public final class JobRun {
     private static final int SIDE = 512;
     private static final double NANOSECONDS = 1e6;
 
-    private final Renderer renderer = new Tiled(new RenderOptions());
+    private final Renderer renderer = new TiledRenderer(new RenderOptions());
     private final Path picture;
 
     private JobRun(Path picture) {

@@ -1,8 +1,8 @@
 package dev.lazyz.jmh.peers;
 
+import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Measurements;
 import dev.lazyz.jmh.report.Options;
-import dev.lazyz.jmh.report.Page;
 import java.io.BufferedReader;
 import java.io.BufferedWriter;
 import java.io.IOException;
@@ -40,11 +40,7 @@ public final class Jobs {
     public static void main(String[] args) throws IOException {
         Options options = new Options(args, OPTIONS);
         Measurements results = new Measurements();
-        results.noteMachine();
-        for (String fact : options.all("fact")) {
-            int at = fact.indexOf('=');
-            results.note(fact.substring(0, at), fact.substring(at + 1));
-        }
+        results.noteMachine(options);
         List<String> files = options.list("files", "");
         String warmUp = options.get("warm-up", "9");
         String measure = options.get("measure", "4");
@@ -80,20 +76,20 @@ public final class Jobs {
                     file,
                     cell(results, file, OURS),
                     cell(results, file, VTK),
-                    Page.ratio(Measurements.median(results.ratios(TOTAL, file, OURS, VTK)))));
+                    GeneratedPage.ratio(Measurements.median(results.ratios(TOTAL, file, OURS, VTK)))));
         }
         List<String> head = List.of(
                 "mesh file to PNG, 512 x 512",
                 OURS + ", ms (load + picture)",
                 VTK + ", ms (load + picture)",
                 "times as fast");
-        return Page.table(head, rows) + "\n" + Page.source(results);
+        return GeneratedPage.table(head, rows) + "\n" + GeneratedPage.source(results);
     }
 
     private static String cell(Measurements results, String file, String program) {
-        return Page.time(results.median(TOTAL, file, program)) + " ("
-                + Page.time(results.median(LOAD, file, program)) + " + "
-                + Page.time(results.median(PICTURE, file, program)) + ")";
+        return GeneratedPage.time(results.median(TOTAL, file, program)) + " ("
+                + GeneratedPage.time(results.median(LOAD, file, program)) + " + "
+                + GeneratedPage.time(results.median(PICTURE, file, program)) + ")";
     }
 
     /** A process that performs jobs on request. */
@@ -104,14 +100,10 @@ public final class Jobs {
         private final BufferedReader responses;
 
         Worker(String name, String command) throws IOException {
-            List<String> words = new ArrayList<>(List.of("taskset", "-c", "0"));
-            words.addAll(List.of(command.trim().split(" +")));
-            ProcessBuilder builder = new ProcessBuilder(words).redirectError(ProcessBuilder.Redirect.INHERIT);
-            builder.environment().put("LP_NUM_THREADS", "1");
-            builder.environment().put("GALLIUM_DRIVER", "llvmpipe");
-            builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
             this.name = name;
-            process = builder.start();
+            process = Contender.builder(List.of(command.trim().split(" +")), 1)
+                    .redirectError(ProcessBuilder.Redirect.INHERIT)
+                    .start();
             requests = process.outputWriter(StandardCharsets.UTF_8);
             responses = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
         }

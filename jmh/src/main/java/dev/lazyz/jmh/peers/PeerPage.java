@@ -1,8 +1,8 @@
 package dev.lazyz.jmh.peers;
 
 import dev.lazyz.jmh.report.Charts;
+import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Measurements;
-import dev.lazyz.jmh.report.Page;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -34,7 +34,7 @@ public final class PeerPage {
             "S6", "S6, 10,000 triangles of about 20,000 pixels");
 
     private final Measurements results;
-    private final List<Subject> subjects;
+    private final List<PeerScene> subjects;
 
     private final Measurements jobs;
 
@@ -42,7 +42,7 @@ public final class PeerPage {
         this.results = results;
         this.jobs = jobs;
         this.subjects =
-                results.subjects(SideBySide.TIME).stream().map(Subject::parse).toList();
+                results.subjects(SideBySide.TIME).stream().map(PeerScene::parse).toList();
     }
 
     /** Two arguments: the page, and the folder with results.csv and jobs.csv, which also receives the charts. */
@@ -53,7 +53,7 @@ public final class PeerPage {
         Path folder = Path.of(args[1]);
         PeerPage page = new PeerPage(
                 Measurements.read(folder.resolve("results.csv")), Measurements.read(folder.resolve("jobs.csv")));
-        Page.update(Path.of(args[0]), page::section);
+        GeneratedPage.update(Path.of(args[0]), page::section);
         for (int threads : List.of(1, 2)) {
             page.writeChart(folder, threads);
         }
@@ -70,24 +70,24 @@ public final class PeerPage {
         };
     }
 
-    private static boolean isMesh(Subject subject) {
+    private static boolean isMesh(PeerScene subject) {
         return subject.scene().contains(".") && !isLit(subject);
     }
 
-    private static boolean isLit(Subject subject) {
+    private static boolean isLit(PeerScene subject) {
         return subject.scene().endsWith(TriangleSource.LIT_LABEL);
     }
 
     /** Scenes that are not mesh files, at the main size, with baked light. */
-    private Predicate<Subject> isScene(int threads) {
+    private Predicate<PeerScene> isScene(int threads) {
         return subject -> subject.side() == SIDE && subject.threads() == threads && !isMesh(subject) && !isLit(subject);
     }
 
-    private OptionalDouble time(Subject subject, String program) {
+    private OptionalDouble time(PeerScene subject, String program) {
         return results.median(SideBySide.TIME, subject.toString(), program);
     }
 
-    private OptionalDouble ratio(Subject subject, String program) {
+    private OptionalDouble ratio(PeerScene subject, String program) {
         return Measurements.median(results.ratios(SideBySide.TIME, subject.toString(), program, SideBySide.BASE));
     }
 
@@ -96,15 +96,15 @@ public final class PeerPage {
         List<String> head = new ArrayList<>(List.of(SIDE + " x " + SIDE + ", 1 thread", SideBySide.BASE + ", ms"));
         OURS.forEach(program -> head.addAll(List.of(program + ", ms", "times as fast")));
         List<List<String>> rows = new ArrayList<>();
-        for (Subject subject : subjects.stream().filter(isScene(1)).toList()) {
+        for (PeerScene subject : subjects.stream().filter(isScene(1)).toList()) {
             List<String> row = new ArrayList<>(List.of(
                     CONTENTS.getOrDefault(subject.scene(), subject.scene()),
-                    Page.time(time(subject, SideBySide.BASE))));
-            OURS.forEach(program ->
-                    row.addAll(List.of(Page.time(time(subject, program)), Page.ratio(ratio(subject, program)))));
+                    GeneratedPage.time(time(subject, SideBySide.BASE))));
+            OURS.forEach(program -> row.addAll(
+                    List.of(GeneratedPage.time(time(subject, program)), GeneratedPage.ratio(ratio(subject, program)))));
             rows.add(row);
         }
-        return Page.table(head, rows) + "\n" + Page.source(results);
+        return GeneratedPage.table(head, rows) + "\n" + GeneratedPage.source(results);
     }
 
     /** Returns sentences about all pictures of mesh files. */
@@ -125,9 +125,9 @@ public final class PeerPage {
                         SideBySide.BASE,
                         Arrays.stream(ratios).filter(ratio -> ratio > 1).count(),
                         ratios.length,
-                        Page.number("%.2f", OptionalDouble.of(ratios[0])),
-                        Page.number("%.2f", OptionalDouble.of(ratios[ratios.length - 1])),
-                        Page.number("%.2f", Measurements.median(ratios))));
+                        GeneratedPage.number("%.2f", OptionalDouble.of(ratios[0])),
+                        GeneratedPage.number("%.2f", OptionalDouble.of(ratios[ratios.length - 1])),
+                        GeneratedPage.number("%.2f", Measurements.median(ratios))));
             }
         }
         return text.toString();
@@ -137,18 +137,18 @@ public final class PeerPage {
     private String starts() {
         List<String> times = new ArrayList<>();
         for (String program : results.programs(SideBySide.START)) {
-            times.add(program + " " + Page.time(results.median(SideBySide.START, SideBySide.COLD_SCENE, program))
-                    + " ms");
+            times.add(program + " "
+                    + GeneratedPage.time(results.median(SideBySide.START, SideBySide.COLD_SCENE, program)) + " ms");
         }
         return "A process that renders a teapot to a file, from start to end: " + String.join("; ", times) + ".\n";
     }
 
     private void writeChart(Path folder, int threads) throws IOException {
-        List<Subject> shown = subjects.stream().filter(isScene(threads)).toList();
+        List<PeerScene> shown = subjects.stream().filter(isScene(threads)).toList();
         Map<String, List<Double>> programs = new LinkedHashMap<>();
         for (String program : results.programs(SideBySide.TIME)) {
             List<Double> bars = new ArrayList<>();
-            for (Subject subject : shown) {
+            for (PeerScene subject : shown) {
                 OptionalDouble ratio = ratio(subject, program);
                 bars.add(ratio.isPresent() ? (Double) ratio.getAsDouble() : null);
             }
@@ -160,7 +160,7 @@ public final class PeerPage {
                     folder.resolve("scenes-" + threads + ".png"),
                     "Times faster than " + SideBySide.BASE + ": " + SIDE + " x " + SIDE + ", "
                             + (threads == 1 ? "1 thread" : threads + " threads"),
-                    shown.stream().map(Subject::scene).toList(),
+                    shown.stream().map(PeerScene::scene).toList(),
                     programs);
         }
     }

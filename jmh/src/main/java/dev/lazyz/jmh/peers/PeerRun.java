@@ -2,18 +2,18 @@ package dev.lazyz.jmh.peers;
 
 import dev.lazyz.Counters;
 import dev.lazyz.DepthTest;
-import dev.lazyz.PixelHash;
+import dev.lazyz.Image.PixelHash;
 import dev.lazyz.Raster;
 import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
 import dev.lazyz.Rgba;
 import dev.lazyz.RowSink;
-import dev.lazyz.filter.PixelFilter;
-import dev.lazyz.filter.ShadingRate;
 import dev.lazyz.filter.SuperSampling;
+import dev.lazyz.filter.SuperSampling.PixelFilter;
+import dev.lazyz.filter.SuperSampling.ShadingRate;
+import dev.lazyz.jmh.PictureCheck;
 import dev.lazyz.jmh.report.Options;
 import dev.lazyz.jmh.workload.SteadyState;
-import dev.lazyz.strategies.Renderers;
 import dev.lazyz.world.Scene;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
@@ -56,11 +56,7 @@ public final class PeerRun {
     /** Options: see {@code jmh/README.md}. */
     public static void main(String[] args) throws InterruptedException, IOException {
         Options options = new Options(args, OPTIONS);
-        String strategy = options.get("strategy", "tiled");
-        Renderer found = Renderers.find(strategy);
-        if (found == null) {
-            throw new IllegalArgumentException("no such strategy: " + strategy);
-        }
+        Renderer found = PictureCheck.renderer(options.get("strategy", "tiled"));
         int threads = Integer.parseInt(options.get("threads", "1"));
         PeerRun run = new PeerRun(
                 TriangleSource.find(options.get("scene", "S1")).scene(),

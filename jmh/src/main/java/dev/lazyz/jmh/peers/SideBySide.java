@@ -17,8 +17,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
-import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import kotlinx.serialization.json.Json;
 import kotlinx.serialization.json.JsonElementKt;
 import kotlinx.serialization.json.JsonObject;
@@ -124,18 +122,11 @@ public final class SideBySide {
         List<Integer> sides = integers("sides", "1024");
         List<Integer> otherSides = integers("other-sides", "1024");
         List<Integer> threads = integers("threads", "1,2");
-        recordFacts();
-        for (String scene : compared) {
-            export(scene);
-        }
-        for (String scene : others) {
-            export(scene);
-        }
-        for (String mesh : meshes) {
-            export(mesh);
-        }
-        for (String scene : lit) {
-            export(scene);
+        results.noteMachine(options);
+        for (List<String> scenes : List.of(compared, others, meshes, lit)) {
+            for (String scene : scenes) {
+                export(scene);
+            }
         }
         comparePictures(compared, sides.get(0), contender -> true);
         comparePictures(others, otherSides.get(0), contender -> true);
@@ -184,15 +175,6 @@ public final class SideBySide {
 
     private List<Integer> integers(String name, String otherwise) {
         return options.list(name, otherwise).stream().map(Integer::valueOf).toList();
-    }
-
-    /** Records the facts that are needed to judge the figures. */
-    private void recordFacts() throws IOException {
-        results.noteMachine();
-        for (String fact : options.all("fact")) {
-            int at = fact.indexOf('=');
-            results.note(fact.substring(0, at), fact.substring(at + 1));
-        }
     }
 
     private void export(String scene) throws IOException {
@@ -248,8 +230,8 @@ public final class SideBySide {
         if (printed == null) {
             return;
         }
-        PictureDifference difference = PictureDifference.of(ours, theirs);
-        String subject = new Subject(TriangleSource.label(scene), side, 1, 1).toString();
+        SampleDifference difference = SampleDifference.of(ours, theirs);
+        String subject = new PeerScene(TriangleSource.label(scene), side, 1, 1).toString();
         results.add("samples covered", subject, contender.name(), 0, number(printed, "covered"));
         results.add("samples of ours only", subject, contender.name(), 0, difference.oursOnly());
         results.add("samples of theirs only", subject, contender.name(), 0, difference.theirsOnly());
@@ -284,7 +266,7 @@ public final class SideBySide {
         if (printed == null) {
             return;
         }
-        Subject subject = new Subject(TriangleSource.label(scene), side, samples, threads);
+        PeerScene subject = new PeerScene(TriangleSource.label(scene), side, samples, threads);
         results.add(TIME, subject.toString(), contender.name(), round, number(printed, "median"));
         results.facts()
                 .put(
@@ -306,7 +288,7 @@ public final class SideBySide {
                     .map(word -> word.equals("TRIANGLES") ? coldFile() : word)
                     .toList();
             long begin = System.nanoTime();
-            Process process = builder(command, Runtime.getRuntime().availableProcessors())
+            Process process = Contender.builder(command, Runtime.getRuntime().availableProcessors())
                     .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                     .start();
             if (!process.waitFor(MINUTES, TimeUnit.MINUTES) || process.exitValue() != 0 || !Files.exists(picture)) {
@@ -337,8 +319,9 @@ public final class SideBySide {
      */
     private JsonObject process(List<String> command, int threads) throws IOException, InterruptedException {
         Path output = folder.resolve("output");
-        Process process =
-                builder(command, threads).redirectOutput(output.toFile()).start();
+        Process process = Contender.builder(command, threads)
+                .redirectOutput(output.toFile())
+                .start();
         boolean hasEnded = process.waitFor(MINUTES, TimeUnit.MINUTES);
         String printed = Files.readString(output, StandardCharsets.UTF_8).trim();
         if (!hasEnded || process.exitValue() != 0) {
@@ -348,17 +331,5 @@ public final class SideBySide {
         }
         return JsonElementKt.getJsonObject(
                 Json.Default.parseToJsonElement(printed.substring(printed.lastIndexOf('\n') + 1)));
-    }
-
-    private static ProcessBuilder builder(List<String> command, int threads) {
-        String processors =
-                IntStream.range(0, threads).mapToObj(Integer::toString).collect(Collectors.joining(","));
-        List<String> pinned = new ArrayList<>(List.of("taskset", "-c", processors));
-        pinned.addAll(command);
-        ProcessBuilder builder = new ProcessBuilder(pinned).redirectError(ProcessBuilder.Redirect.DISCARD);
-        builder.environment().put("LP_NUM_THREADS", Integer.toString(threads));
-        builder.environment().put("GALLIUM_DRIVER", "llvmpipe");
-        builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
-        return builder;
     }
 }

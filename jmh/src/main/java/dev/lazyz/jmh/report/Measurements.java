@@ -118,6 +118,15 @@ public final class Measurements {
         System.out.printf(Locale.ROOT, "%-16s  %-40s  %-28s %d  %,.3f%n", quantity, subject, program, round, rounded);
     }
 
+    /** Records the machine, and facts given as {@code --fact NAME=VALUE}. */
+    public void noteMachine(Options options) throws IOException {
+        noteMachine();
+        for (String fact : options.all("fact")) {
+            int at = fact.indexOf('=');
+            note(fact.substring(0, at), fact.substring(at + 1));
+        }
+    }
+
     /** Removes numbers, because they are measured again. */
     public void removeIf(Predicate<Value> isOld) {
         values.removeIf(isOld);

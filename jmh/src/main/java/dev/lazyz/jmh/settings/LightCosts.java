@@ -3,14 +3,14 @@ package dev.lazyz.jmh.settings;
 import dev.lazyz.Raster;
 import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
-import dev.lazyz.filter.PixelFilter;
-import dev.lazyz.filter.ShadingRate;
 import dev.lazyz.filter.SuperSampling;
-import dev.lazyz.jmh.report.Page;
+import dev.lazyz.filter.SuperSampling.PixelFilter;
+import dev.lazyz.filter.SuperSampling.ShadingRate;
+import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.lighting.AmbientOcclusion;
 import dev.lazyz.lighting.GroundShadow;
 import dev.lazyz.scenes.Scenes;
-import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.strategies.tiled.TiledRenderer;
 import dev.lazyz.world.Environment;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.material.Material;
@@ -38,7 +38,7 @@ public final class LightCosts {
     private static final int WARM_UP = 3;
     private static final int RUNS = 5;
     private static final RenderOptions OPTIONS = new RenderOptions().withThreads(1);
-    private static final Renderer RENDERER = new Tiled().configured(OPTIONS);
+    private static final Renderer RENDERER = new TiledRenderer().configured(OPTIONS);
     private static final SuperSampling BY_SAMPLE = new SuperSampling(4);
     private static final SuperSampling BY_PIXEL = new SuperSampling(4, PixelFilter.BOX, ShadingRate.PIXEL);
 
@@ -55,7 +55,7 @@ public final class LightCosts {
     public static void main(String[] arguments) throws IOException, InterruptedException {
         Path page = Path.of(arguments[0]);
         String table = table();
-        Page.update(page, name -> table);
+        GeneratedPage.update(page, name -> table);
     }
 
     private static String table() throws InterruptedException {
@@ -76,7 +76,7 @@ public final class LightCosts {
                 rows.get(row++).add(String.format(Locale.ROOT, "%.1f + %.1f", times[0] / base, times[1] / base));
             }
         }
-        return Page.table(head, rows);
+        return GeneratedPage.table(head, rows);
     }
 
     /** By name; the first is the picture that the others are compared with. */

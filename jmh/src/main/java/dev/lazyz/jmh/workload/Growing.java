@@ -20,7 +20,7 @@ public final class Growing {
      * @param depthComplexity mean number of triangles that cover a sample, for any count
      */
     public static Triangles confetti(int count, double depthComplexity) {
-        return Confetti.of("confetti", count, depthComplexity * SAMPLES / count, 0.02, Coloring.SMOOTH);
+        return RandomTriangles.of("confetti", count, depthComplexity * SAMPLES / count, 0.02, Coloring.SMOOTH);
     }
 
     /** Creates layers that fill the raster, of two triangles each, in random order of depth. */

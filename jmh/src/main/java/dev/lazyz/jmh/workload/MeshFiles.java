@@ -2,10 +2,10 @@ package dev.lazyz.jmh.workload;
 
 import dev.lazyz.Rgba;
 import dev.lazyz.world.Camera;
-import dev.lazyz.world.Fit;
+import dev.lazyz.world.FittedViewpoint.Fit;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.material.Material;
-import dev.lazyz.world.material.Shading;
+import dev.lazyz.world.material.Material.Shading;
 import dev.lazyz.world.surface.Mesh;
 import dev.lazyz.world.surface.Surface;
 import java.io.IOException;

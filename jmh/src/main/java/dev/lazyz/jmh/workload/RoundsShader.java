@@ -1,7 +1,7 @@
 package dev.lazyz.jmh.workload;
 
-import dev.lazyz.BatchShader;
-import dev.lazyz.FragmentBatch;
+import dev.lazyz.spi.BatchShader;
+import dev.lazyz.spi.FragmentBatch;
 
 /**
  * An expensive shader: rounds of a polynomial in a sample's interpolated colour.

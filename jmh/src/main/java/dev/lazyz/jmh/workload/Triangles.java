@@ -7,7 +7,7 @@ import dev.lazyz.world.Projection;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.Viewpoint;
 import dev.lazyz.world.material.Material;
-import dev.lazyz.world.material.Shading;
+import dev.lazyz.world.material.Material.Shading;
 import dev.lazyz.world.surface.Mesh;
 import java.io.IOException;
 import java.nio.ByteBuffer;

@@ -50,12 +50,12 @@ public final class Workloads {
     /** Creates the triangles of one of S1 to S6. */
     public static Triangles triangles(String id) {
         return switch (id) {
-            case "S1" -> Confetti.of(id, 100_000, 200, 0.02, Coloring.FLAT);
+            case "S1" -> RandomTriangles.of(id, 100_000, 200, 0.02, Coloring.FLAT);
             case "S2" -> BumpySphere.of(id);
             case "S3" -> layers(id, true);
             case "S4" -> layers(id, false);
-            case "S5" -> Confetti.of(id, 100_000, 200, 0.02, Coloring.ROUNDS);
-            case "S6" -> Confetti.of(id, 10_000, 20_000, 0.04, Coloring.SMOOTH);
+            case "S5" -> RandomTriangles.of(id, 100_000, 200, 0.02, Coloring.ROUNDS);
+            case "S6" -> RandomTriangles.of(id, 10_000, 20_000, 0.04, Coloring.SMOOTH);
             default -> throw new IllegalArgumentException("no scene '" + id + "'; there are " + COMPARED);
         };
     }

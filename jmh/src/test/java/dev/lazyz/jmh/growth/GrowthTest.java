@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Measurements;
-import dev.lazyz.jmh.report.Page;
 import dev.lazyz.strategies.Renderers;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -54,7 +54,7 @@ class GrowthTest {
     void allStrategiesAndAxesWereMeasured() throws IOException {
         Measurements results = committed();
         List<String> measured = results.subjects(Growth.PRIMITIVES);
-        for (Axis axis : Axis.values()) {
+        for (GrowthAxis axis : GrowthAxis.values()) {
             axis.first(axis.values.length).forEach(value -> assertTrue(measured.contains(axis.subject(value))));
         }
         assertEquals(
@@ -66,7 +66,7 @@ class GrowthTest {
     void thePageAndTheModelAreThoseOfTheResults() throws IOException {
         String remedy = "run GrowthPage, see jmh/README.md";
         String text = Files.readString(DOCS.resolve("growth.md"));
-        assertEquals(text, Page.fill(text, committedPage::section), remedy);
+        assertEquals(text, GeneratedPage.fill(text, committedPage::section), remedy);
         assertEquals(Files.readString(ROOT.resolve(GrowthPage.COSTS)), committedPage.fit.toKotlin(), remedy);
     }
 

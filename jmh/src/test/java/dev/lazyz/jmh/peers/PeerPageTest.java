@@ -27,7 +27,7 @@ class PeerPageTest {
     }
 
     private void time(String scene, int samples, String program, int round, double millis) {
-        results.add(SideBySide.TIME, new Subject(scene, 1024, samples, 1).toString(), program, round, millis);
+        results.add(SideBySide.TIME, new PeerScene(scene, 1024, samples, 1).toString(), program, round, millis);
     }
 
     @Test
@@ -79,8 +79,8 @@ class PeerPageTest {
 
     @Test
     void aSubjectCanBeReadAgain() {
-        Subject subject = new Subject("cow.obj lit", 1024, 4, 2);
-        assertEquals(subject, Subject.parse(subject.toString()));
+        PeerScene subject = new PeerScene("cow.obj lit", 1024, 4, 2);
+        assertEquals(subject, PeerScene.parse(subject.toString()));
     }
 
     @Test

@@ -62,7 +62,7 @@ class MeasurementsTest {
                 "before\n<!-- generated: a -->\nold\n<!-- end -->\n<!-- generated: b -->\nold\n<!-- end -->\nafter\n";
         assertEquals(
                 "before\n<!-- generated: a -->\nnew\n<!-- end -->\n<!-- generated: b -->\nold\n<!-- end -->\nafter\n",
-                Page.fill(page, name -> name.equals("a") ? "new\n" : null));
-        assertThrows(IllegalArgumentException.class, () -> Page.fill("<!-- generated: a -->\n", name -> ""));
+                GeneratedPage.fill(page, name -> name.equals("a") ? "new\n" : null));
+        assertThrows(IllegalArgumentException.class, () -> GeneratedPage.fill("<!-- generated: a -->\n", name -> ""));
     }
 }

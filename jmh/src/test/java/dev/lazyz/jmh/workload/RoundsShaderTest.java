@@ -3,7 +3,7 @@ package dev.lazyz.jmh.workload;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.lazyz.Fragment;
+import dev.lazyz.spi.Fragment;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 

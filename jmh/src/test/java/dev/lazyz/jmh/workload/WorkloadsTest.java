@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.lazyz.DepthTest;
 import dev.lazyz.Image;
 import dev.lazyz.Rgba;
-import dev.lazyz.strategies.tiled.Tiled;
+import dev.lazyz.strategies.tiled.TiledRenderer;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.material.Material;
 import java.nio.ByteBuffer;
@@ -54,8 +54,8 @@ class WorkloadsTest {
 
     @Test
     void layersDifferInOrderOnly() throws InterruptedException {
-        Image backToFront = new Tiled().render(Workloads.scene("S3").frame(16, 16));
-        Image frontToBack = new Tiled().render(Workloads.scene("S4").frame(16, 16));
+        Image backToFront = new TiledRenderer().render(Workloads.scene("S3").frame(16, 16));
+        Image frontToBack = new TiledRenderer().render(Workloads.scene("S4").frame(16, 16));
         assertArrayEquals(backToFront.getArgb(), frontToBack.getArgb());
         assertEquals(16 * 16, frontToBack.getVisible());
         assertTrue(backToFront.primitive(3, 8) >= 198, "the topmost layer comes last");
@@ -64,9 +64,11 @@ class WorkloadsTest {
 
     @Test
     void largerRasterIsTheSameSceneLarger() throws InterruptedException {
-        double small =
-                (double) new Tiled().render(Workloads.scene("S2").frame(64, 64)).getVisible() / (64 * 64);
-        double large = (double) new Tiled()
+        double small = (double) new TiledRenderer()
+                        .render(Workloads.scene("S2").frame(64, 64))
+                        .getVisible()
+                / (64 * 64);
+        double large = (double) new TiledRenderer()
                         .render(Workloads.scene("S2").frame(256, 256))
                         .getVisible()
                 / (256 * 256);
@@ -77,8 +79,8 @@ class WorkloadsTest {
     void builtInScenesAreTrianglesToo() throws InterruptedException {
         for (String id : new String[] {"city", "molecule", "cycle", "teapot"}) {
             Triangles baked = Baked.of(id, Workloads.scene(id));
-            Image ours = new Tiled().render(Workloads.scene(id).frame(128, 128));
-            Image theirs = new Tiled().render(baked.scene().frame(128, 128));
+            Image ours = new TiledRenderer().render(Workloads.scene(id).frame(128, 128));
+            Image theirs = new TiledRenderer().render(baked.scene().frame(128, 128));
             int different = 0;
             for (int i = 0; i < 128 * 128; i++) {
                 boolean isOurs = ours.getPrimitive()[i] != DepthTest.BACKGROUND;
@@ -141,9 +143,10 @@ class WorkloadsTest {
     void litTrianglesHaveTheLightOfTheirScene() throws InterruptedException {
         Scene scene =
                 Workloads.scene("crossing").withLights(List.of()).withMaterials(material -> new Material(Rgba.WHITE));
-        Image expected =
-                new Tiled().render(scene.withBackground(Rgba.TRANSPARENT).frame(64, 64));
-        Image actual = new Tiled().render(Baked.lit("crossing", scene).scene().frame(64, 64));
+        Image expected = new TiledRenderer()
+                .render(scene.withBackground(Rgba.TRANSPARENT).frame(64, 64));
+        Image actual =
+                new TiledRenderer().render(Baked.lit("crossing", scene).scene().frame(64, 64));
         int different = 0;
         for (int i = 0; i < 64 * 64; i++) {
             for (int shift = 0; shift < 32; shift += 8) {

@@ -23,7 +23,7 @@ import java.util.zip.ZipOutputStream
  * Writes AOVs to files, as data. For pictures of them, see [AovPicture].
  *
  * ```
- * val aovs = AovFrame(frame, setOf(Aov.DEPTH, Aov.NORMAL)).render(Tiled())
+ * val aovs = AovFrame(frame, setOf(Aov.DEPTH, Aov.NORMAL)).render(TiledRenderer())
  * AovFiles.write(Path.of("depth.pfm"), aovs[Aov.DEPTH])
  * AovFiles.write(Path.of("all.npz"), aovs.images)
  * ```

@@ -1,7 +1,6 @@
 package dev.lazyz.scenes.aov
 
 import dev.lazyz.Rgba
-import dev.lazyz.Viridis
 import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovImage
 import java.math.BigDecimal
@@ -69,13 +68,13 @@ internal class AovPalette private constructor(
         /** Returns the colours of numbers on one scale; the legend has the ends of the scale divided by [unit]. */
         private fun scale(image: AovImage, title: String, fixed: Pair<Double, Double>?, unit: Int = 1): AovPalette {
             val (least, most) = fixed ?: range(image, 0)
-            val bar = Bar("", readable(least / unit), readable(most / unit), Viridis::argb)
+            val bar = Bar("", readable(least / unit), readable(most / unit), { Rgba.viridis(it).toArgb() })
             return AovPalette(title, listOf(bar), listOf(NONE)) { index ->
                 val number = image.numberAt(index, 0)
                 if (number == image.aov.background || !number.isFinite()) {
                     NOTHING
                 } else {
-                    Viridis.argb(place(number, least, most))
+                    Rgba.viridis(place(number, least, most)).toArgb()
                 }
             }
         }

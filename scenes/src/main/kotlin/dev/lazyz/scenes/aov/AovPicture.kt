@@ -12,7 +12,7 @@ import dev.lazyz.scenes.pictures.PixelFont
  *
  * | AOV | colours |
  * |---|---|
- * | depth | the scale [dev.lazyz.Viridis] from the nearest to the farthest pixel |
+ * | depth | the scale [dev.lazyz.Rgba.viridis] from the nearest to the farthest pixel |
  * | coverage | the same scale from 0 to 1 |
  * | overdraw | the same scale from 0 to the greatest number; the legend counts surfaces, means of the pixel's samples |
  * | shading calls | the same scale from 0 to the greatest number |

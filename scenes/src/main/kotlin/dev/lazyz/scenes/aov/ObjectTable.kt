@@ -12,7 +12,7 @@ import java.util.TreeMap
  * The objects that are visible in an image of [Aov.OBJECT], in the order of their numbers.
  *
  * ```
- * val objects = AovFrame(frame, setOf(Aov.OBJECT)).render(Tiled())[Aov.OBJECT]
+ * val objects = AovFrame(frame, setOf(Aov.OBJECT)).render(TiledRenderer())[Aov.OBJECT]
  * for (part in ObjectTable.of(objects)) println("${part.name}: ${part.pixels} pixels")
  * ```
  */

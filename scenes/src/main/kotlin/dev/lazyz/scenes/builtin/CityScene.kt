@@ -6,8 +6,6 @@ import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureFilter
-import dev.lazyz.world.material.TextureWrap
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
@@ -170,7 +168,7 @@ internal object Facade {
             rgb or (0xFF shl 24)
         }
         return Texture(
-            SIDE, SIDE, texels, TextureFilter.BILINEAR, TextureWrap.REPEAT, TextureWrap.REPEAT, "facade-$kind",
+            SIDE, SIDE, texels, Texture.Filter.BILINEAR, Texture.Wrap.REPEAT, Texture.Wrap.REPEAT, "facade-$kind",
         )
     }
 }

@@ -5,11 +5,9 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.MipFilter
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureFilter
-import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
@@ -48,7 +46,7 @@ internal object PlaneScene {
     private fun ground(): Surface {
         val texture = Texture(
             2, 2, intArrayOf(opaque(DARK), opaque(LIGHT), opaque(LIGHT), opaque(DARK)),
-            TextureFilter.NEAREST, TextureWrap.REPEAT, TextureWrap.REPEAT, "chequers", MipFilter.ANISOTROPIC,
+            Texture.Filter.NEAREST, Texture.Wrap.REPEAT, Texture.Wrap.REPEAT, "chequers", MipFilter.ANISOTROPIC,
         )
         val builder = MeshBuilder()
         builder.floor(-HALF_SIDE, -HALF_SIDE, HALF_SIDE, HALF_SIDE, 0.0, HALF_SIDE)
@@ -100,7 +98,7 @@ internal object PlaneScene {
             )
         }
         return Texture(
-            16, 16, texels, TextureFilter.NEAREST, TextureWrap.CLAMP, TextureWrap.CLAMP, "boards",
+            16, 16, texels, Texture.Filter.NEAREST, Texture.Wrap.CLAMP, Texture.Wrap.CLAMP, "boards",
             MipFilter.ANISOTROPIC,
         )
     }

@@ -1,16 +1,16 @@
 package dev.lazyz.scenes.builtin
 
-import dev.lazyz.FillRule
 import dev.lazyz.Rgba
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Fit
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
-import dev.lazyz.world.surface.Vertex
+import dev.lazyz.world.surface.Polygon.Vertex
 import org.joml.Vector3d
 
 /** Three large triangles around the origin, one perpendicular to each axis. */

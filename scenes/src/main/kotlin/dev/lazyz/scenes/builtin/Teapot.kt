@@ -5,7 +5,7 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Mesh
 import kotlin.math.sqrt
 import org.joml.Vector3d

@@ -5,8 +5,8 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.gltf.document.ExtensionValues
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.geometry.PlacedNode
-import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
+import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
 import org.joml.Vector3d
 

@@ -2,7 +2,6 @@ package dev.lazyz.scenes.images
 
 import dev.lazyz.Rgba
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureEncoding
 
 /**
  * Combines images and colours that files keep apart to one texture. The larger image determines the size; see [at] for
@@ -12,7 +11,7 @@ internal object ChannelPacking {
     /** Returns a texture with [roughness] as green and [metallic] as blue, and 255 for an image that is null. */
     fun metallicRoughness(roughness: Texture?, metallic: Texture?): Texture? {
         val larger = larger(roughness, metallic) ?: return null
-        return packed(larger, TextureEncoding.LINEAR) { x, y ->
+        return packed(larger, Texture.Encoding.LINEAR) { x, y ->
             val green = roughness?.let { grey(at(it, x, y, larger)) } ?: 0xFF
             val blue = metallic?.let { grey(at(it, x, y, larger)) } ?: 0xFF
             0xFFFF0000.toInt() or (green shl 8) or blue
@@ -22,7 +21,7 @@ internal object ChannelPacking {
     /** Returns the colours of [color], or white if it is null, with [opacity] as alpha: its own alpha, or its grey. */
     fun withOpacity(color: Texture?, opacity: Texture): Texture {
         val larger = checkNotNull(larger(color, opacity))
-        return packed(larger, TextureEncoding.SRGB) { x, y ->
+        return packed(larger, Texture.Encoding.SRGB) { x, y ->
             val texel = at(opacity, x, y, larger)
             val alpha = if (opacity.hasAlpha) texel ushr 24 else grey(texel)
             val rgb = color?.let { at(it, x, y, larger) and 0xFFFFFF } ?: 0xFFFFFF
@@ -31,7 +30,7 @@ internal object ChannelPacking {
     }
 
     /** Returns [texture] on a ground of [color], mixed in linear light. */
-    fun onColor(texture: Texture, color: Rgba): Texture = packed(texture, TextureEncoding.SRGB) { x, y ->
+    fun onColor(texture: Texture, color: Rgba): Texture = packed(texture, Texture.Encoding.SRGB) { x, y ->
         val top = Rgba.ofArgb(texture.texel(x, y))
         val below = color.alpha * (1f - top.alpha)
         val alpha = top.alpha + below
@@ -64,7 +63,7 @@ internal object ChannelPacking {
         else -> first
     }
 
-    private inline fun packed(like: Texture, encoding: TextureEncoding, texel: (Int, Int) -> Int): Texture {
+    private inline fun packed(like: Texture, encoding: Texture.Encoding, texel: (Int, Int) -> Int): Texture {
         val texels = IntArray(like.width * like.height) { texel(it % like.width, it / like.width) }
         return Texture(
             like.width, like.height, texels, like.filter, like.wrapU, like.wrapV, like.name, like.mipFilter, encoding,

@@ -1,8 +1,6 @@
 package dev.lazyz.scenes.images
 
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureWrap
 import kotlin.math.sqrt
 
 /**
@@ -36,7 +34,7 @@ internal object HeightNormals {
         }
         return Texture(
             width, height, normals, heights.filter, heights.wrapU, heights.wrapV, heights.name, heights.mipFilter,
-            TextureEncoding.LINEAR,
+            Texture.Encoding.LINEAR,
         )
     }
 
@@ -48,9 +46,9 @@ internal object HeightNormals {
 
     private fun code(component: Double): Int = ((component + 1.0) / 2 * 255 + 0.5).toInt()
 
-    private fun beside(index: Int, size: Int, wrap: TextureWrap): Int = when {
+    private fun beside(index: Int, size: Int, wrap: Texture.Wrap): Int = when {
         index in 0 until size -> index
-        wrap == TextureWrap.REPEAT -> if (index < 0) size - 1 else 0
+        wrap == Texture.Wrap.REPEAT -> if (index < 0) size - 1 else 0
         else -> if (index < 0) 0 else size - 1
     }
 }

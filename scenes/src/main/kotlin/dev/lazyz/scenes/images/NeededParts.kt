@@ -15,7 +15,7 @@ internal object NeededParts {
      * damaged, or would have a decoder read another kind of file. Files of other kinds are returned as they are.
      */
     fun of(bytes: ByteArray): ByteArray? = when {
-        PngChunks.SIGNATURE.isAt(bytes, 0) -> PngChunks.needed(bytes)
+        NeededChunks.SIGNATURE.isAt(bytes, 0) -> NeededChunks.needed(bytes)
         JpegSegments.SIGNATURE.isAt(bytes, 0) -> JpegSegments.needed(bytes)
         GifBlocks.SIGNATURE.isAt(bytes, 0) -> GifBlocks.needed(bytes)
         BmpHeader.SIGNATURE.isAt(bytes, 0) -> BmpHeader.needed(bytes)
@@ -204,7 +204,7 @@ internal object JpegSegments {
 }
 
 /** The chunks of a PNG file (W3C, "Portable Network Graphics", 3rd edition, section 5). */
-internal object PngChunks {
+internal object NeededChunks {
     val SIGNATURE: ByteArray = byteArrayOf(0x89.toByte(), 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A)
 
     /** Header, palette, transparency, pixels and end. */

@@ -2,8 +2,8 @@ package dev.lazyz.scenes.images
 
 import dev.lazyz.scenes.loading.FileReferences
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.Texture.MipFilter
 import java.io.ByteArrayInputStream
 import java.io.IOException
 import java.nio.file.Path

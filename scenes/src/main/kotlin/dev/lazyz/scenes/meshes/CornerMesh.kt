@@ -16,7 +16,7 @@ import dev.lazyz.world.surface.Mesh
  */
 internal class CornerMesh(
     private val vertices: VertexArrays,
-    private val colors: Palette = Palette(),
+    private val colors: ColorNumbers = ColorNumbers(),
     private val places: TexturePlaces = TexturePlaces(),
 ) {
     private val corners = DistinctTriples(vertices.count)
@@ -88,7 +88,7 @@ internal class CornerMesh(
 }
 
 /** Numbers the distinct colours of a file from 0: red, green, blue in linear light, and alpha. Not thread safe. */
-internal class Palette {
+internal class ColorNumbers {
     /** Bits of red, green and blue. */
     private val opaque = DistinctTriples()
 

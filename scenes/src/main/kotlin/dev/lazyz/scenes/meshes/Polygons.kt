@@ -21,7 +21,7 @@ internal class Polygons {
     private val colorNumbers = Ints()
 
     /** The colours and texture coordinates that the polygons refer to. */
-    val colors = Palette()
+    val colors = ColorNumbers()
     val places = TexturePlaces()
 
     /** Number of polygons. */

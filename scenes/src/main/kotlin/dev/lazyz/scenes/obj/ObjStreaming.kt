@@ -10,7 +10,7 @@ import dev.lazyz.scenes.streaming.StreamedInput
 import dev.lazyz.scenes.streaming.VertexSpool
 import dev.lazyz.scenes.text.ByteWindow
 import dev.lazyz.scenes.text.Statements
-import dev.lazyz.world.surface.MeshSource
+import dev.lazyz.world.surface.StreamedMesh.MeshSource
 
 /**
  * Reads Wavefront OBJ files of any size part by part. The triangles and the colours of vertices are those of

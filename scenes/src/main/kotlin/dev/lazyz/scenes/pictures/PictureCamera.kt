@@ -18,8 +18,8 @@ import dev.lazyz.scenes.pictures.PictureParameters.TARGET
 import dev.lazyz.scenes.pictures.PictureParameters.VIEW
 import dev.lazyz.scenes.pictures.PictureParameters.ZOOM
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Fit
 import dev.lazyz.world.FittedViewpoint
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Viewpoint

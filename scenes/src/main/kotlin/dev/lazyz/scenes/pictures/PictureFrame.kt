@@ -7,20 +7,19 @@ import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.ShadingObserver
 import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovFrame
-import dev.lazyz.aov.AovImages
-import dev.lazyz.filter.PixelFilter
+import dev.lazyz.aov.AovFrame.AovImages
 import dev.lazyz.filter.SampledFrame
+import dev.lazyz.filter.SuperSampling.PixelFilter
 import dev.lazyz.filter.VerticalGradient
 import dev.lazyz.geometry.UpAxis
-import dev.lazyz.planning.MemoryItem
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.writers.AlphaChannel
+import dev.lazyz.spi.ShadingObserver
 import dev.lazyz.world.Camera
 import java.io.IOException
 
@@ -69,7 +68,7 @@ public class PictureFrame internal constructor(
     public fun within(region: Region): PictureFrame = PictureFrame(samples.within(region), gradient, up, names)
 
     /** Returns the plan of [planner] with the first of [renderers] that fits, besides [others]. */
-    public fun plan(planner: RenderPlanner, renderers: List<Renderer>, others: List<MemoryItem>): RenderPlan =
+    public fun plan(planner: RenderPlanner, renderers: List<Renderer>, others: List<RenderPlan.Item>): RenderPlan =
         planner.plan(samples, renderers, others)
 
     /**

@@ -1,24 +1,23 @@
 package dev.lazyz.scenes.pictures
 
-import dev.lazyz.DepthConvention
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Region
 import dev.lazyz.Rgba
+import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.drawing.FeatureEdges
-import dev.lazyz.drawing.HiddenLines
-import dev.lazyz.filter.PixelFilter
-import dev.lazyz.filter.ShadingRate
+import dev.lazyz.filter.SuperSampling.PixelFilter
+import dev.lazyz.filter.SuperSampling.ShadingRate
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Fit
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Projection
-import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.View
-import dev.lazyz.world.material.MipFilter
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Points
 import java.nio.file.Path
 import org.joml.Vector3dc
@@ -218,9 +217,9 @@ public object PictureParameters {
 
     /** How bright light is compressed. */
     @JvmField
-    public val TONE_MAP: PictureParameter<ToneCurve> = row(
-        "tone-map", named("CURVE", ToneCurve.entries),
-        "How bright light is compressed: ${list(words(ToneCurve.entries).keys)}",
+    public val TONE_MAP: PictureParameter<ToneMapping.Curve> = row(
+        "tone-map", named("CURVE", ToneMapping.Curve.entries),
+        "How bright light is compressed: ${list(words(ToneMapping.Curve.entries).keys)}",
         "the scene file's, neutral for scenes with metallic-roughness materials, or none",
     )
 

@@ -1,15 +1,15 @@
 package dev.lazyz.scenes.pictures
 
 import dev.lazyz.RenderOptions
-import dev.lazyz.drawing.HiddenLines
-import dev.lazyz.filter.ShadingRate
+import dev.lazyz.drawing.EdgeStyle.HiddenLines
+import dev.lazyz.filter.SuperSampling.ShadingRate
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Viewpoint
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 
 /**
  * How a file is shown: all that `zcli render` offers for one picture, with its defaults. That is the whole model, in
@@ -17,7 +17,7 @@ import dev.lazyz.world.material.Shading
  *
  * ```
  * val settings = PictureSettings(640, 480).with(PictureParameters.VIEW, View.ISO).with(PictureParameters.EDGES, true)
- * settings.frame(Scenes.load(path)).render(Tiled()).writePng(output)
+ * settings.frame(Scenes.load(path)).render(TiledRenderer()).writePng(output)
  * ```
  *
  * What can be chosen are the [PictureParameters]. What is not chosen has a default, which can depend on the file.

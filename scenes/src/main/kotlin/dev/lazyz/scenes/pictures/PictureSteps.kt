@@ -4,16 +4,15 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
-import dev.lazyz.Shader
 import dev.lazyz.drawing.EdgeDrawing
-import dev.lazyz.drawing.EdgeSet
 import dev.lazyz.drawing.EdgeStyle
+import dev.lazyz.drawing.EdgeStyle.EdgeSet
+import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.drawing.FeatureEdges
-import dev.lazyz.drawing.HiddenLines
-import dev.lazyz.filter.PixelFilter
 import dev.lazyz.filter.SampledFrame
-import dev.lazyz.filter.ShadingRate
 import dev.lazyz.filter.SuperSampling
+import dev.lazyz.filter.SuperSampling.PixelFilter
+import dev.lazyz.filter.SuperSampling.ShadingRate
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.lighting.GroundShadow
 import dev.lazyz.lighting.Matcap
@@ -24,17 +23,17 @@ import dev.lazyz.scenes.Scenes
 import dev.lazyz.sections.Hatching
 import dev.lazyz.sections.Section
 import dev.lazyz.sections.SectionPlane
+import dev.lazyz.spi.Shader
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FittedViewpoint
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.Viewpoint
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.MipFilter
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.TextureFilter
-import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
 import java.nio.file.Path
@@ -189,7 +188,7 @@ internal class PictureSteps(
         val matcap = settings[PictureParameters.MATCAP]
         if (matcap != null) {
             val picture = Scenes.texture(matcap, observer.limits)
-                .withSampling(TextureFilter.BILINEAR, TextureWrap.CLAMP, TextureWrap.CLAMP, MipFilter.NONE)
+                .withSampling(Texture.Filter.BILINEAR, Texture.Wrap.CLAMP, Texture.Wrap.CLAMP, MipFilter.NONE)
             val shader = Matcap(picture, scene.viewpoint as Camera, scene.origin, color ?: Rgba.WHITE)
             return scene.withMaterials { it.withShader(shader) }
         }

@@ -2,10 +2,10 @@ package dev.lazyz.scenes.pictures
 
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.world.Fit
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Shading
+import dev.lazyz.world.material.Material.Shading
 
 /**
  * Styles of whole pictures, see [PictureParameters.STYLE].

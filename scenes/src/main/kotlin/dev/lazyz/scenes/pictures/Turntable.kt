@@ -10,7 +10,7 @@ import dev.lazyz.world.Viewpoint
  *
  * ```
  * val turntable = PictureSettings(320, 240).turntable(Scenes.load(path), steps = 36)
- * val pictures = List(turntable.steps) { turntable.frame(it).render(Tiled()) }
+ * val pictures = List(turntable.steps) { turntable.frame(it).render(TiledRenderer()) }
  * ```
  *
  * Frames can be made and rendered in any order and by several threads. The distance of the camera is computed for the

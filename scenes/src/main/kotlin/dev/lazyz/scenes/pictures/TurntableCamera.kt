@@ -2,8 +2,8 @@ package dev.lazyz.scenes.pictures
 
 import dev.lazyz.geometry.Box
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Fit
 import dev.lazyz.world.FittedViewpoint
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Scene
 import org.joml.Vector3d
 import org.joml.Vector3dc

@@ -11,7 +11,7 @@ import dev.lazyz.scenes.streaming.StreamedInput
 import dev.lazyz.scenes.streaming.VertexSpool
 import dev.lazyz.scenes.text.ByteWindow
 import dev.lazyz.scenes.text.TextLines
-import dev.lazyz.world.surface.MeshSource
+import dev.lazyz.world.surface.StreamedMesh.MeshSource
 import org.joml.Vector3dc
 
 /**

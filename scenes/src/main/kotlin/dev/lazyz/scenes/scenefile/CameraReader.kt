@@ -5,7 +5,7 @@ import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.json.JsonMembers
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Fit
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Viewpoint
 import org.joml.Vector3d
 

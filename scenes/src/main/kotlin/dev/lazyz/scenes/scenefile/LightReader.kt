@@ -6,9 +6,8 @@ import dev.lazyz.lighting.LightRig
 import dev.lazyz.scenes.json.JsonMembers
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.world.Environment
-import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
-import dev.lazyz.world.ToneCurve
+import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.ToneMapping
 import org.joml.Vector3d
 
@@ -72,7 +71,7 @@ internal class LightReader(private val up: UpAxis) {
 
     fun toneMapping(node: JsonNode): ToneMapping {
         val members = node.members("curve", "exposure")
-        val curve = members["curve"]?.choice(SceneFileNames.toneCurves) ?: ToneCurve.NONE
+        val curve = members["curve"]?.choice(SceneFileNames.toneCurves) ?: ToneMapping.Curve.NONE
         return node.checked { ToneMapping(curve, members["exposure"]?.double() ?: 0.0) }
     }
 

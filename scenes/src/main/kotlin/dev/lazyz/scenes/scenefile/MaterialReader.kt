@@ -8,15 +8,12 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.writers.PngSink
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.TextureWrap
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 import java.io.ByteArrayOutputStream
 import java.util.Base64
 
@@ -58,18 +55,18 @@ internal class MaterialReader(source: Source) {
                 sides = members["sides"]?.choice(SceneFileNames.sides) ?: plain.sides,
                 shader = members["tint"]?.integer()?.let(::Tint),
                 name = members["name"]?.text() ?: name,
-            ).withTextureMap(members["texture"]?.let { textures.read(it, TextureEncoding.SRGB) })
+            ).withTextureMap(members["texture"]?.let { textures.read(it, Texture.Encoding.SRGB) })
                 .withMetallicRoughness(members["metallicRoughness"]?.let(::model))
                 .withNormalMap(members["normalMap"]?.let(::normalMap))
                 .withOcclusionMap(members["occlusionMap"]?.let(::occlusionMap))
-                .withEmissionMap(members["emissionMap"]?.let { textures.read(it, TextureEncoding.SRGB) })
+                .withEmissionMap(members["emissionMap"]?.let { textures.read(it, Texture.Encoding.SRGB) })
         }
     }
 
     private fun model(node: JsonNode): MetallicRoughness {
         val members = node.members("metallic", "roughness", "map")
         val plain = MetallicRoughness()
-        val map = members["map"]?.let { textures.read(it, TextureEncoding.LINEAR) }
+        val map = members["map"]?.let { textures.read(it, Texture.Encoding.LINEAR) }
         return node.checked {
             MetallicRoughness(
                 members["metallic"]?.float() ?: plain.metallic,
@@ -81,13 +78,13 @@ internal class MaterialReader(source: Source) {
 
     private fun normalMap(node: JsonNode): NormalMap? {
         val members = node.members("map", "scale")
-        val map = textures.read(members.required("map"), TextureEncoding.LINEAR) ?: return null
+        val map = textures.read(members.required("map"), Texture.Encoding.LINEAR) ?: return null
         return node.checked { NormalMap(map, members["scale"]?.float() ?: 1f) }
     }
 
     private fun occlusionMap(node: JsonNode): OcclusionMap? {
         val members = node.members("map", "strength")
-        val map = textures.read(members.required("map"), TextureEncoding.LINEAR) ?: return null
+        val map = textures.read(members.required("map"), Texture.Encoding.LINEAR) ?: return null
         return node.checked { OcclusionMap(map, members["strength"]?.float() ?: 1f) }
     }
 }
@@ -102,13 +99,13 @@ internal class TextureMapReader(private val source: Source) {
      *
      * @param plain the meaning of the codes if the file does not say
      */
-    fun read(node: JsonNode, plain: TextureEncoding): TextureMap? {
+    fun read(node: JsonNode, plain: Texture.Encoding): TextureMap? {
         if (node.isText) return picture(node)?.let { TextureMap(it.withEncoding(plain)) }
         val members = node.members("image", "filter", "mipFilter", "wrap", "name", "encoding", "uvSet", "transform")
         val picture = picture(members.required("image")) ?: return null
-        val filter = members["filter"]?.choice(SceneFileNames.filters) ?: TextureFilter.BILINEAR
+        val filter = members["filter"]?.choice(SceneFileNames.filters) ?: Texture.Filter.BILINEAR
         val mipFilter = members["mipFilter"]?.choice(SceneFileNames.mipFilters) ?: MipFilter.ANISOTROPIC
-        val (wrapU, wrapV) = members["wrap"]?.let(::wraps) ?: (TextureWrap.REPEAT to TextureWrap.REPEAT)
+        val (wrapU, wrapV) = members["wrap"]?.let(::wraps) ?: (Texture.Wrap.REPEAT to Texture.Wrap.REPEAT)
         val name = members["name"]?.text() ?: picture.name
         val encoding = members["encoding"]?.choice(SceneFileNames.encodings) ?: plain
         val texture = picture.withSampling(filter, wrapU, wrapV, mipFilter).withName(name).withEncoding(encoding)
@@ -124,7 +121,7 @@ internal class TextureMapReader(private val source: Source) {
         return node.checked { UvTransform(scale[0], scale[1], rotation, offset[0], offset[1]) }
     }
 
-    private fun wraps(node: JsonNode): Pair<TextureWrap, TextureWrap> {
+    private fun wraps(node: JsonNode): Pair<Texture.Wrap, Texture.Wrap> {
         if (node.isText) return node.choice(SceneFileNames.wraps).let { it to it }
         val items = node.items()
         if (items.size != 2) node.fail("needs 2 names, across and down, not ${items.size}")

@@ -4,12 +4,10 @@ import dev.lazyz.Rgba
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.MipFilter
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.TextureWrap
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 
 /** Assigns a name to every material of a scene, and writes the materials. */
 internal class MaterialWriter(materials: Iterable<Material>) {
@@ -44,7 +42,7 @@ internal class MaterialWriter(materials: Iterable<Material>) {
         val plain = plain.material
         if (material.name != name) key("name").text(material.name)
         if (material.baseColor != plain.baseColor) key("baseColor").color(material.baseColor)
-        material.textureMap?.let { TextureMapWriter.write(key("texture"), it, TextureEncoding.SRGB) }
+        material.textureMap?.let { TextureMapWriter.write(key("texture"), it, Texture.Encoding.SRGB) }
         if (material.shading != plain.shading) key("shading").text(SceneFileNames.of(material.shading))
         material.shader?.let { key("tint").integer((it as Tint).number) }
         if (material.specular != plain.specular) key("specular").color(material.specular)
@@ -61,22 +59,22 @@ internal class MaterialWriter(materials: Iterable<Material>) {
             key("metallicRoughness").members {
                 key("metallic").float(model.metallic)
                 key("roughness").float(model.roughness)
-                model.map?.let { TextureMapWriter.write(key("map"), it, TextureEncoding.LINEAR) }
+                model.map?.let { TextureMapWriter.write(key("map"), it, Texture.Encoding.LINEAR) }
             }
         }
         material.normalMap?.let { normals ->
             key("normalMap").members {
                 key("scale").float(normals.scale)
-                TextureMapWriter.write(key("map"), normals.map, TextureEncoding.LINEAR)
+                TextureMapWriter.write(key("map"), normals.map, Texture.Encoding.LINEAR)
             }
         }
         material.occlusionMap?.let { occlusion ->
             key("occlusionMap").members {
                 key("strength").float(occlusion.strength)
-                TextureMapWriter.write(key("map"), occlusion.map, TextureEncoding.LINEAR)
+                TextureMapWriter.write(key("map"), occlusion.map, Texture.Encoding.LINEAR)
             }
         }
-        material.emissionMap?.let { TextureMapWriter.write(key("emissionMap"), it, TextureEncoding.SRGB) }
+        material.emissionMap?.let { TextureMapWriter.write(key("emissionMap"), it, Texture.Encoding.SRGB) }
     }
 
     /** Returns [wish] if it is not empty and not in use, otherwise a new name. */
@@ -114,12 +112,12 @@ internal fun JsonWriter.color(color: Rgba) {
 /** Writes textures and how they are laid on surfaces. */
 internal object TextureMapWriter {
     /** Writes [map]. [plain] is the meaning of the codes that need not be written. */
-    fun write(out: JsonWriter, map: TextureMap, plain: TextureEncoding) = out.members {
+    fun write(out: JsonWriter, map: TextureMap, plain: Texture.Encoding) = out.members {
         val texture = map.texture
         if (texture.name.isNotEmpty()) key("name").text(texture.name)
-        if (texture.filter != TextureFilter.BILINEAR) key("filter").text(SceneFileNames.of(texture.filter))
+        if (texture.filter != Texture.Filter.BILINEAR) key("filter").text(SceneFileNames.of(texture.filter))
         if (texture.mipFilter != MipFilter.ANISOTROPIC) key("mipFilter").text(SceneFileNames.of(texture.mipFilter))
-        if (texture.wrapU != TextureWrap.REPEAT || texture.wrapV != TextureWrap.REPEAT) {
+        if (texture.wrapU != Texture.Wrap.REPEAT || texture.wrapV != Texture.Wrap.REPEAT) {
             val wraps = listOf(texture.wrapU, texture.wrapV)
             key("wrap").inline(2) { text(SceneFileNames.of(wraps[it])) }
         }

@@ -1,19 +1,17 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
-import dev.lazyz.FillRule
+import dev.lazyz.Raster.DepthConvention
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightRig
-import dev.lazyz.world.Fit
-import dev.lazyz.world.ToneCurve
-import dev.lazyz.world.material.AlphaMode
-import dev.lazyz.world.material.MipFilter
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureFilter
-import dev.lazyz.world.material.TextureWrap
+import dev.lazyz.world.FittedViewpoint.Fit
+import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.Texture.MipFilter
 
 /** The names of the library's enum constants in scene files: lower case, with hyphens. */
 internal object SceneFileNames {
@@ -21,11 +19,11 @@ internal object SceneFileNames {
     val shadings: Map<String, Shading> = names(Shading.entries)
     val alphaModes: Map<String, AlphaMode> = names(AlphaMode.entries)
     val sides: Map<String, Sides> = names(Sides.entries)
-    val filters: Map<String, TextureFilter> = names(TextureFilter.entries)
+    val filters: Map<String, Texture.Filter> = names(Texture.Filter.entries)
     val mipFilters: Map<String, MipFilter> = names(MipFilter.entries)
-    val wraps: Map<String, TextureWrap> = names(TextureWrap.entries)
-    val encodings: Map<String, TextureEncoding> = names(TextureEncoding.entries)
-    val toneCurves: Map<String, ToneCurve> = names(ToneCurve.entries)
+    val wraps: Map<String, Texture.Wrap> = names(Texture.Wrap.entries)
+    val encodings: Map<String, Texture.Encoding> = names(Texture.Encoding.entries)
+    val toneCurves: Map<String, ToneMapping.Curve> = names(ToneMapping.Curve.entries)
     val lightRigs: Map<String, LightRig> = names(LightRig.entries)
     val fillRules: Map<String, FillRule> = names(FillRule.entries)
 

@@ -1,6 +1,6 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.DepthConvention
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightRig

@@ -1,15 +1,15 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.FillRule
 import dev.lazyz.Rgba
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Falloff
 import dev.lazyz.world.FittedViewpoint
 import dev.lazyz.world.Light
+import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
@@ -18,9 +18,9 @@ import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import org.joml.Vector3d
 import org.joml.Vector3dc
 

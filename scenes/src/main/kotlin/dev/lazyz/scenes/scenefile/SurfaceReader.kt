@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.FillRule
 import dev.lazyz.Rgba
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.builtin.Builtins
@@ -15,9 +15,9 @@ import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.nio.file.Path
 import org.joml.Matrix4d
 import org.joml.Vector3d

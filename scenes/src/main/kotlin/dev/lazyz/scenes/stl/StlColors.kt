@@ -3,7 +3,7 @@ package dev.lazyz.scenes.stl
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.images.SrgbDecoding
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.scenes.meshes.Palette
+import dev.lazyz.scenes.meshes.ColorNumbers
 
 /**
  * The colours in the 16-bit words after a binary file's facets. There are three kinds (A. F. van der Geest, "Colour
@@ -28,7 +28,7 @@ import dev.lazyz.scenes.meshes.Palette
 internal class StlColors private constructor(
     private val kind: Kind,
     private val wholeColor: Int,
-    val palette: Palette
+    val palette: ColorNumbers
 ) {
     private enum class Kind { MAGICS, MESHLAB, VISCAM }
 
@@ -68,7 +68,7 @@ internal class StlColors private constructor(
                 else -> Kind.MESHLAB.takeIf { words.hasMarkedColors }
             }
             if (kind == Kind.MAGICS) return magics(source, checkNotNull(at) + mark.size)
-            if (kind != null) return StlColors(kind, -1, Palette())
+            if (kind != null) return StlColors(kind, -1, ColorNumbers())
             if (words.nonZero > 0) {
                 source.warn("the attribute words of ${words.nonZero} facets are not used, for they are no colours")
             }
@@ -77,7 +77,7 @@ internal class StlColors private constructor(
 
         /** Returns the colours of a Magics file, whose colour of the whole begins at byte [at]. */
         private fun magics(source: Source, at: Int): StlColors {
-            val palette = Palette()
+            val palette = ColorNumbers()
             val (red, green, blue) = List(3) { SrgbDecoding.decodeByte(source.bytes[at + it].toInt() and 0xFF) }
             return StlColors(Kind.MAGICS, palette.add(red, green, blue, 1f), palette)
         }

@@ -6,8 +6,8 @@ import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.loading.FarOrigin
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.ColorNumbers
 import dev.lazyz.scenes.meshes.CornerMesh
-import dev.lazyz.scenes.meshes.Palette
 import dev.lazyz.scenes.meshes.VertexArrays
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
@@ -76,7 +76,7 @@ internal object StlParser : SceneParser {
 internal class Solid(
     val name: String,
     expectedTriangles: Int = 0,
-    private val palette: Palette? = null,
+    private val palette: ColorNumbers? = null,
     private val origin: Vector3dc = Vector3d(),
 ) : CornerSink {
     /** Bits of x, y, z. A closed mesh has half as many vertices as triangles. */

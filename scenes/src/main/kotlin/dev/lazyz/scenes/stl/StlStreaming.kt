@@ -11,7 +11,7 @@ import dev.lazyz.scenes.streaming.PartBox
 import dev.lazyz.scenes.streaming.StreamedInput
 import dev.lazyz.scenes.text.ByteWindow
 import dev.lazyz.scenes.text.TextLines
-import dev.lazyz.world.surface.MeshSource
+import dev.lazyz.world.surface.StreamedMesh.MeshSource
 import java.nio.ByteBuffer
 import java.util.stream.IntStream
 import org.joml.Vector3d

@@ -3,7 +3,7 @@ package dev.lazyz.scenes.streaming
 import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.MeshSource
+import dev.lazyz.world.surface.StreamedMesh.MeshSource
 import java.io.EOFException
 import java.io.IOException
 import java.io.InputStream

@@ -63,7 +63,7 @@ internal class ThreeMfBuild(private val source: Source) {
      * Adds the object that [placement] refers to. [toWorld] is the transform from the space of the placement to world
      * space, [inherited] the default look of the object that contains it, and [above] its path.
      */
-    private fun place(placement: Placement, toWorld: Matrix4dc, inherited: DefaultLook, above: String) {
+    private fun place(placement: ObjectReference, toWorld: Matrix4dc, inherited: DefaultLook, above: String) {
         val model = model(placement.path)
             ?: source.fail(placement.path, "is missing from the package", "export the model again")
         val found = model.objects[placement.number]

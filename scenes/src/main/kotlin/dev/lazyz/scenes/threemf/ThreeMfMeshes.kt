@@ -6,8 +6,8 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.meshes.CornerMesh
 import dev.lazyz.scenes.meshes.MeshParts
 import dev.lazyz.scenes.meshes.VertexArrays
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.surface.Mesh
 
 /** The look of triangles without their own: a group and an index in it. The group is -1 if there is no such look. */

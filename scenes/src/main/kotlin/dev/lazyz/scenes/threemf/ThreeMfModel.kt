@@ -4,7 +4,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.collections.Floats
 import dev.lazyz.scenes.collections.Ints
-import dev.lazyz.scenes.meshes.Palette
+import dev.lazyz.scenes.meshes.ColorNumbers
 import dev.lazyz.scenes.meshes.TexturePlaces
 import dev.lazyz.scenes.meshes.VertexArrays
 import org.joml.Matrix4d
@@ -16,7 +16,7 @@ internal class ThreeMfModel(val path: String) {
     val looks = ThreeMfLooks()
 
     /** The items to build, in order. Only those of the package's main part are used. */
-    val items = ArrayList<Placement>()
+    val items = ArrayList<ObjectReference>()
 
     /** Whether the part requires slices to be understood. */
     var requiresSlices = false
@@ -29,7 +29,7 @@ internal class ThreeMfModel(val path: String) {
  * @property number the object's number in that part
  * @property transform transform from the object's space to the space of the object or build that contains the reference
  */
-internal class Placement(val path: String, val number: Int, val transform: Matrix4d)
+internal class ObjectReference(val path: String, val number: Int, val transform: Matrix4d)
 
 /**
  * An object to build: triangles, or a combination of other objects.
@@ -38,7 +38,7 @@ internal class Placement(val path: String, val number: Int, val transform: Matri
  * @property name name in the file
  */
 internal class ThreeMfObject(val isSupport: Boolean, val name: String) {
-    val components = ArrayList<Placement>()
+    val components = ArrayList<ObjectReference>()
 
     /** x, y, z of each vertex as the nearest floats. [remainders] are the numbers in the file minus these floats. */
     val positions = Floats()
@@ -80,7 +80,7 @@ internal class ThreeMfObject(val isSupport: Boolean, val name: String) {
 
 /** The groups of colours and texture coordinates of a model part, by number, and their content. */
 internal class ThreeMfLooks {
-    val palette = Palette()
+    val palette = ColorNumbers()
     val places = TexturePlaces()
 
     /** The textures by number. */

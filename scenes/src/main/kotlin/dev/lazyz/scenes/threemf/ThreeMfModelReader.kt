@@ -68,10 +68,10 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
         }
     }
 
-    private fun placement(): Placement {
+    private fun placement(): ObjectReference {
         part.source.loading.items(part.source, 1)
         val number = part.number("objectid") ?: part.fail("there is no objectid")
-        return Placement(part.attribute("path") ?: model.path, number, transform())
+        return ObjectReference(part.attribute("path") ?: model.path, number, transform())
     }
 
     /**

@@ -5,10 +5,8 @@ import dev.lazyz.scenes.images.ChannelPacking
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureFilter
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.TextureWrap
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 
 /** The textures of a package, each decoded once. Not thread safe. */
 internal class ThreeMfTextures(private val source: Source, private val archive: ThreeMfPackage) {
@@ -27,7 +25,7 @@ internal class ThreeMfTextures(private val source: Source, private val archive: 
         val width = size(picture.width, texture.wrapU)
         val height = size(picture.height, texture.wrapV)
         val framed = framed(picture, width, height, outside)
-        val filter = if (texture.isSmooth) TextureFilter.BILINEAR else TextureFilter.NEAREST
+        val filter = if (texture.isSmooth) Texture.Filter.BILINEAR else Texture.Filter.NEAREST
         return TextureMap(
             framed.withSampling(filter, wrap(texture.wrapU), wrap(texture.wrapV)),
             transform = UvTransform(
@@ -74,10 +72,10 @@ internal class ThreeMfTextures(private val source: Source, private val archive: 
         return texture
     }
 
-    private fun wrap(style: String?): TextureWrap = when (style) {
-        "mirror" -> TextureWrap.MIRROR
-        "clamp", NONE -> TextureWrap.CLAMP
-        else -> TextureWrap.REPEAT
+    private fun wrap(style: String?): Texture.Wrap = when (style) {
+        "mirror" -> Texture.Wrap.MIRROR
+        "clamp", NONE -> Texture.Wrap.CLAMP
+        else -> Texture.Wrap.REPEAT
     }
 
     private companion object {

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.aov
 
 import dev.lazyz.Region
-import dev.lazyz.Viridis
+import dev.lazyz.Rgba
 import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovImage
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -31,17 +31,26 @@ class AovPictureTest {
     @Test
     fun scalarsAreOnTheScaleFromTheLeastToTheGreatest() {
         val depths = pixels(image(Aov.DEPTH, 2f, infinity, 3f, 4f))
-        assertEquals(listOf(Viridis.argb(0.0), grey, Viridis.argb(0.5), Viridis.argb(1.0)), depths)
+        assertEquals(
+            listOf(Rgba.viridis(0.0).toArgb(), grey, Rgba.viridis(0.5).toArgb(), Rgba.viridis(1.0).toArgb()),
+            depths,
+        )
         val counts = pixels(image(Aov.OVERDRAW, 0, 1, 2, 4))
-        assertEquals(listOf(grey, Viridis.argb(0.25), Viridis.argb(0.5), Viridis.argb(1.0)), counts)
+        assertEquals(
+            listOf(grey, Rgba.viridis(0.25).toArgb(), Rgba.viridis(0.5).toArgb(), Rgba.viridis(1.0).toArgb()),
+            counts,
+        )
         val coverage = pixels(image(Aov.COVERAGE, 0f, 0.25f, 0.5f, 0.5f))
-        assertEquals(listOf(grey, Viridis.argb(0.25), Viridis.argb(0.5), Viridis.argb(0.5)), coverage)
+        assertEquals(
+            listOf(grey, Rgba.viridis(0.25).toArgb(), Rgba.viridis(0.5).toArgb(), Rgba.viridis(0.5).toArgb()),
+            coverage,
+        )
     }
 
     @Test
     fun countsOfSeveralPicturesShareAScale() {
         val calls = AovPicture.ofCounts(image(Aov.SHADING_CALLS, 0, 1, 2, 9), 4)
-        val scale = listOf(0.25, 0.5, 1.0).map { Viridis.argb(it) }
+        val scale = listOf(0.25, 0.5, 1.0).map { Rgba.viridis(it).toArgb() }
         assertEquals(listOf(grey) + scale, calls.argb.toList())
         assertEquals(4 to 1, calls.width to calls.height)
         assertEquals(AovPicture.NOTHING, grey)
@@ -60,11 +69,11 @@ class AovPictureTest {
 
     @Test
     fun theScaleHasItsColoursAndIsMonotonous() {
-        assertEquals(listOf(0xFF440154.toInt(), 0xFFFDE725.toInt()), listOf(0.0, 1.0).map { Viridis.argb(it) })
-        assertEquals(0xFF365C8D.toInt(), Viridis.argb(2 / 7.0))
-        assertEquals(Viridis.argb(0.0), Viridis.argb(Double.NaN))
-        assertEquals(Viridis.argb(1.0), Viridis.argb(Double.POSITIVE_INFINITY))
-        val greens = (0..1000).map { Viridis.argb(it / 1000.0) shr 8 and 0xFF }
+        assertEquals(listOf(0xFF440154.toInt(), 0xFFFDE725.toInt()), listOf(0.0, 1.0).map { Rgba.viridis(it).toArgb() })
+        assertEquals(0xFF365C8D.toInt(), Rgba.viridis(2 / 7.0).toArgb())
+        assertEquals(Rgba.viridis(0.0).toArgb(), Rgba.viridis(Double.NaN).toArgb())
+        assertEquals(Rgba.viridis(1.0).toArgb(), Rgba.viridis(Double.POSITIVE_INFINITY).toArgb())
+        val greens = (0..1000).map { Rgba.viridis(it / 1000.0).toArgb() shr 8 and 0xFF }
         assertEquals(greens.sorted(), greens)
     }
 

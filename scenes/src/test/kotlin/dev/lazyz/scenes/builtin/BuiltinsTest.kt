@@ -3,10 +3,10 @@ package dev.lazyz.scenes.builtin
 import dev.lazyz.scenes.Builtin
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.scenefile.SceneFile
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
@@ -40,7 +40,7 @@ class BuiltinsTest {
     @MethodSource("builtins")
     fun fillsASensiblePartOfThePictureAtAnySize(builtin: Builtin) {
         for ((width, height) in listOf(64 to 64, 64 to 48, 48 to 96)) {
-            val image = ZBuffer().render(builtin.scene().frame(width, height))
+            val image = ZBufferRenderer().render(builtin.scene().frame(width, height))
             val part = image.visible / (width.toDouble() * height)
             assertTrue(part in 0.05..0.98, "$part of ${width}x$height")
             assertTrue(image.argb.toSet().size >= 3, "only ${image.argb.toSet().size} colours")
@@ -52,7 +52,7 @@ class BuiltinsTest {
     fun rendersToTheSameBitsFromASceneFile(builtin: Builtin) {
         val scene = builtin.scene()
         val back = SceneFile.parse(SceneFile.format(scene)).scene
-        assertEquals(ZBuffer().render(scene.frame(80, 60)), ZBuffer().render(back.frame(80, 60)))
+        assertEquals(ZBufferRenderer().render(scene.frame(80, 60)), ZBufferRenderer().render(back.frame(80, 60)))
     }
 
     @Test
@@ -83,9 +83,9 @@ class BuiltinsTest {
     /** Whether the first of two surfaces, of a scene in which each is one primitive, is seen before the second. */
     private fun overlaps(id: String): (Int, Int) -> Boolean {
         val scene = Scenes.builtin(id)!!
-        val seen = ZBuffer().render(scene.frame(200, 200)).primitive
+        val seen = ZBufferRenderer().render(scene.frame(200, 200)).primitive
         val alone = scene.surfaces.map {
-            ZBuffer().render(Scene(listOf(it), scene.lights, scene.camera(200, 200)).frame(200, 200)).primitive
+            ZBufferRenderer().render(Scene(listOf(it), scene.lights, scene.camera(200, 200)).frame(200, 200)).primitive
         }
         return { a, b -> seen.indices.any { seen[it] == a && alone[b][it] == 0 } }
     }
@@ -110,7 +110,7 @@ class BuiltinsTest {
 
     @Test
     fun layersHideEachOtherFromTheLastToTheFirst() {
-        val image = ZBuffer().render(Scenes.layers(50).frame(100, 100))
+        val image = ZBufferRenderer().render(Scenes.layers(50).frame(100, 100))
         assertTrue(image.counters.fragments > 15L * image.visible, "${image.counters}")
         assertEquals(image.counters.fragments, image.counters.shadingCalls)
         assertEquals(7, Scenes.layers(7).surfaces.size)
@@ -142,7 +142,7 @@ class BuiltinsTest {
         val fronts = scene.withMaterials { material ->
             Material(material.baseColor, material.texture, sides = Sides.FRONT)
         }
-        assertEquals(ZBuffer().render(scene.frame(160, 120)), ZBuffer().render(fronts.frame(160, 120)))
+        assertEquals(ZBufferRenderer().render(scene.frame(160, 120)), ZBufferRenderer().render(fronts.frame(160, 120)))
     }
 
     private companion object {

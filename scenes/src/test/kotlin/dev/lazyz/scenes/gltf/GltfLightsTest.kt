@@ -3,8 +3,8 @@ package dev.lazyz.scenes.gltf
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.world.Environment
-import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
+import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -4,12 +4,11 @@ import dev.lazyz.Rgba
 import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
-import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.TextureEncoding
+import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.TextureWrap
 import dev.lazyz.world.surface.Mesh
 import java.nio.file.Files
 import java.nio.file.Path
@@ -158,10 +157,10 @@ class MtlTest {
 
     @Test
     fun clampStopsRepetition() {
-        assertEquals(TextureWrap.REPEAT, mesh("map_Kd wood.png").material.texture!!.wrapU)
-        assertEquals(TextureWrap.REPEAT, mesh("map_Kd -clamp off wood.png").material.texture!!.wrapU)
+        assertEquals(Texture.Wrap.REPEAT, mesh("map_Kd wood.png").material.texture!!.wrapU)
+        assertEquals(Texture.Wrap.REPEAT, mesh("map_Kd -clamp off wood.png").material.texture!!.wrapU)
         val clamped = mesh("map_Kd -clamp on wood.png").material.texture!!
-        assertEquals(listOf(TextureWrap.CLAMP, TextureWrap.CLAMP), listOf(clamped.wrapU, clamped.wrapV))
+        assertEquals(listOf(Texture.Wrap.CLAMP, Texture.Wrap.CLAMP), listOf(clamped.wrapU, clamped.wrapV))
     }
 
     @Test
@@ -218,7 +217,7 @@ class MtlTest {
         val both = mesh("Pm 0\nmap_Pr rough.png\nmap_Pm metal.png").material.metallicRoughness
         assertEquals(1f to 1f, both?.metallic to both?.roughness)
         assertEquals(listOf("FFFF0AFF", "FFFF14FF"), texels(both?.map))
-        assertEquals(TextureEncoding.LINEAR, both?.map?.texture?.encoding)
+        assertEquals(Texture.Encoding.LINEAR, both?.map?.texture?.encoding)
         val rough = mesh("Pm 0.5\nmap_Pr rough.png").material.metallicRoughness
         assertEquals(0.5f to 1f, rough?.metallic to rough?.roughness)
     }
@@ -237,7 +236,7 @@ class MtlTest {
         image("n.png", 128)
         val mesh = mesh("norm n.png")
         assertEquals(listOf("FF808080"), texels(mesh.material.normalMap?.map))
-        assertEquals(TextureEncoding.LINEAR, mesh.material.normalMap?.map?.texture?.encoding)
+        assertEquals(Texture.Encoding.LINEAR, mesh.material.normalMap?.map?.texture?.encoding)
         assertEquals(listOf(1f, 0f, 0f, 1f), mesh.tangents?.take(4))
     }
 
@@ -280,7 +279,7 @@ class MtlTest {
         for (statement in listOf(behind, "-S 2 4 wood.png -clamp on", "$behind # x")) {
             val mesh = mesh("map_Kd $statement")
             assertEquals(expected.uvs!!.toList(), mesh.uvs!!.toList(), statement)
-            assertEquals(TextureWrap.CLAMP, mesh.material.texture!!.wrapU, statement)
+            assertEquals(Texture.Wrap.CLAMP, mesh.material.texture!!.wrapU, statement)
         }
         val bumps = listOf("-bm 3 wood.png", "wood.png -bm 3", "wood.png  -type sphere -imfchan l -bm 3")
             .map { texels(mesh("map_bump $it").material.normalMap?.map) }

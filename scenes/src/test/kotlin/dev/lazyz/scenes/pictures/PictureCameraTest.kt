@@ -15,8 +15,8 @@ import dev.lazyz.scenes.pictures.PictureParameters.TARGET
 import dev.lazyz.scenes.pictures.PictureParameters.VIEW
 import dev.lazyz.scenes.pictures.PictureParameters.ZOOM
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Fit
 import dev.lazyz.world.FittedViewpoint
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.View
@@ -40,7 +40,8 @@ class PictureCameraTest {
         return LoadedScene(Scene(listOf(sphere), emptyList(), own), emptyList(), cameras = cameras)
     }
 
-    private fun seen(own: Viewpoint, asked: PictureSettings): Viewpoint = PictureCamera(asked).applyTo(loaded(own), UpAxis.Y, null).viewpoint
+    private fun seen(own: Viewpoint, asked: PictureSettings): Viewpoint =
+        PictureCamera(asked).applyTo(loaded(own), UpAxis.Y, null).viewpoint
 
     private fun camera(own: Viewpoint, asked: PictureSettings): Camera =
         PictureCamera(asked).applyTo(loaded(own), UpAxis.Y, null).camera(40, 30)
@@ -71,7 +72,10 @@ class PictureCameraTest {
     fun aSideReplacesAFixedCameraByOneThatLooksTheSameWayOtherwise() {
         assertEquals(listOf(90.0, 7.0, 1.0, Fit.ORTHOGRAPHIC), fitted(orthographic, usual.with(ELEVATION, 7.0)))
         assertEquals(listOf(90.0, 1.0, Fit.PERSPECTIVE), fitted(perspective, usual.with(AZIMUTH, 3.0)).drop(1))
-        assertEquals(listOf(90.0, 0.0, 1.0, Fit.ORTHOGRAPHIC), fitted(orthographic, usual.with(CAMERA, CameraChoice.FIT)))
+        assertEquals(
+            listOf(90.0, 0.0, 1.0, Fit.ORTHOGRAPHIC),
+            fitted(orthographic, usual.with(CAMERA, CameraChoice.FIT)),
+        )
     }
 
     @Test

@@ -1,41 +1,37 @@
 package dev.lazyz.scenes.scenefile
 
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
-import dev.lazyz.FillRule
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Rgba
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.Tint
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
-import dev.lazyz.world.Falloff
-import dev.lazyz.world.Fit
+import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Light
+import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.Viewpoint
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.TextureWrap
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import java.util.Random
 import org.joml.Vector3d
 
@@ -150,9 +146,9 @@ internal class RandomScenes(seed: Long) {
         val width = 1 + random.nextInt(5)
         val height = 1 + random.nextInt(5)
         return Texture(
-            width, height, IntArray(width * height) { random.nextInt() }, pick(TextureFilter.entries),
-            pick(TextureWrap.entries), pick(TextureWrap.entries), name(), pick(MipFilter.entries),
-            pick(TextureEncoding.entries),
+            width, height, IntArray(width * height) { random.nextInt() }, pick(Texture.Filter.entries),
+            pick(Texture.Wrap.entries), pick(Texture.Wrap.entries), name(), pick(MipFilter.entries),
+            pick(Texture.Encoding.entries),
         )
     }
 
@@ -181,7 +177,7 @@ internal class RandomScenes(seed: Long) {
     }
 
     private fun toneMapping(): ToneMapping? =
-        if (random.nextBoolean()) null else ToneMapping(pick(ToneCurve.entries), 40 * random.nextDouble() - 20)
+        if (random.nextBoolean()) null else ToneMapping(pick(ToneMapping.Curve.entries), 40 * random.nextDouble() - 20)
 
     private fun viewpoint(): Viewpoint {
         val eye = direction().mul(10.0)

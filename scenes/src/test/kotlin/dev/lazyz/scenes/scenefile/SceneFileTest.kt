@@ -10,7 +10,6 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.Viewpoint
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureWrap
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
 import java.nio.file.Files
@@ -93,11 +92,11 @@ class SceneFileTest {
     @Test
     fun aTextureIsKeptTexelByTexel() {
         val texels = intArrayOf(0x00FF8040, 0x7F123456, -1, 0x01FFFFFF)
-        val texture = Texture(2, 2, texels, wrapU = TextureWrap.CLAMP, name = "t")
+        val texture = Texture(2, 2, texels, wrapU = Texture.Wrap.CLAMP, name = "t")
         val back = throughFile(Scene(listOf(Sphere(Vector3d(), 1.0, Material(texture = texture)))))
         val read = (back.surfaces.single() as Sphere).material.texture!!
         assertEquals(texels.toList(), List(4) { read.texel(it % 2, it / 2) })
-        assertEquals(listOf(TextureWrap.CLAMP, TextureWrap.REPEAT, "t"), listOf(read.wrapU, read.wrapV, read.name))
+        assertEquals(listOf(Texture.Wrap.CLAMP, Texture.Wrap.REPEAT, "t"), listOf(read.wrapU, read.wrapV, read.name))
     }
 
     @Test

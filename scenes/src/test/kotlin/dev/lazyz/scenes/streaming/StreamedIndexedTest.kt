@@ -7,10 +7,10 @@ import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.strategies.hybrid.Hybrid
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.material.Shading
+import dev.lazyz.strategies.hybrid.HybridRenderer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Mesh
 import java.io.ByteArrayInputStream
 import java.nio.file.Files
@@ -37,7 +37,7 @@ class StreamedIndexedTest {
     lateinit var folder: Path
 
     private val spool: Path by lazy { folder.resolve("spool").also { it.toFile().mkdir() } }
-    private val all: List<Renderer> = listOf(Tiled(), ZBuffer(), Hybrid())
+    private val all: List<Renderer> = listOf(TiledRenderer(), ZBufferRenderer(), HybridRenderer())
 
     /** Pixels and depths of the flat picture. */
     private fun looks(loaded: LoadedScene, renderers: List<Renderer>): List<String> {
@@ -52,7 +52,7 @@ class StreamedIndexedTest {
 
     private fun write(name: String, bytes: ByteArray): Path = folder.resolve(name).also { it.writeBytes(bytes) }
 
-    private fun assertSame(file: Path, renderers: List<Renderer> = listOf(Tiled()), vararg warnings: String) {
+    private fun assertSame(file: Path, renderers: List<Renderer> = listOf(TiledRenderer()), vararg warnings: String) {
         val format = checkNotNull(SceneFormat.ofFileName("$file"))
         val whole = Scenes.load(file.readBytes(), format, "$file", LoadOptions(smoothNormals = false))
         val expected = looks(whole, renderers)
@@ -85,7 +85,7 @@ class StreamedIndexedTest {
     @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun objFilesOfSeveralParts() {
         for (side in listOf(1, 30, 150)) {
-            assertSame(obj(hills(side).obj()), if (side == 30) all else listOf(Tiled()))
+            assertSame(obj(hills(side).obj()), if (side == 30) all else listOf(TiledRenderer()))
         }
         assertSame(obj(hills(150) { lineEnd = "\r\n" }.obj()))
         assertSame(obj(hills(150) { lineEnd = " \\\r\n \r" }.obj()))
@@ -161,7 +161,16 @@ class StreamedIndexedTest {
     fun plyFilesOfSeveralParts() {
         for (format in FORMATS) {
             for (side in listOf(1, 30, 200)) {
-                assertSame(write("model.ply", hills(side).ply(format)), if (side == 30) all else listOf(Tiled()))
+                assertSame(
+                    write("model.ply", hills(side).ply(format)),
+                    if (side ==
+                        30
+                    ) {
+                        all
+                    } else {
+                        listOf(TiledRenderer())
+                    }
+                )
             }
             assertSame(write("model.ply", hills(120) { isLast = true }.ply(format)))
             assertSame(write("model.ply", hills(40).ply(format, number = "double")))
@@ -196,7 +205,7 @@ class StreamedIndexedTest {
         }
         assertSame(
             write("model.ply", "ply\nformat ascii 1.0\nelement vertex 0\n$XYZ\nend_header\n".toByteArray()),
-            listOf(Tiled()), "there are no vertices, so there is nothing to see",
+            listOf(TiledRenderer()), "there are no vertices, so there is nothing to see",
         )
     }
 
@@ -267,7 +276,7 @@ class StreamedIndexedTest {
             repeat(1 + random.nextInt(4)) { damaged[random.nextInt(damaged.size)] = random.nextInt(256).toByte() }
             val file = write(name, damaged)
             try {
-                Scenes.stream(file, spool = spool).use { Tiled().render(it.loaded.scene.frame(9, 9)) }
+                Scenes.stream(file, spool = spool).use { TiledRenderer().render(it.loaded.scene.frame(9, 9)) }
             } catch (_: SceneFormatException) {
                 // An answer
             }

@@ -9,9 +9,9 @@ import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.StreamedScene
-import dev.lazyz.strategies.hybrid.Hybrid
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.hybrid.HybridRenderer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.StreamedMesh
 import java.io.UncheckedIOException
@@ -97,7 +97,7 @@ class StreamedSceneTest {
     private fun hashes(loaded: LoadedScene, renderers: List<Renderer>): List<String> =
         renderers.map { it.render(loaded.scene.frame(90, 70)).pixelHash() }
 
-    private fun assertSame(renderers: List<Renderer> = listOf(Tiled())) {
+    private fun assertSame(renderers: List<Renderer> = listOf(TiledRenderer())) {
         val whole = Scenes.load(file, LoadOptions(smoothNormals = false))
         stream().use { streamed ->
             assertEquals(whole.scene.bounds.toString(), streamed.loaded.scene.bounds.toString())
@@ -107,7 +107,7 @@ class StreamedSceneTest {
         assertEquals(emptyList<Path>(), spool.listDirectoryEntries(), "temporary files")
     }
 
-    private val all: List<Renderer> = listOf(Tiled(), ZBuffer(), Hybrid())
+    private val all: List<Renderer> = listOf(TiledRenderer(), ZBufferRenderer(), HybridRenderer())
 
     @Test
     fun aCountOfZeroAndBytesBehindFacetsAreReadAlike() {
@@ -135,7 +135,7 @@ class StreamedSceneTest {
         // A part has 8192 triangles
         for (side in listOf(1, 20, 63, 64, 110)) {
             file.writeBytes(binary(terrain(side)))
-            assertSame(if (side == 20) all else listOf(Tiled()))
+            assertSame(if (side == 20) all else listOf(TiledRenderer()))
         }
     }
 
@@ -247,7 +247,8 @@ class StreamedSceneTest {
         file.writeBytes(binary(terrain(50)))
         stream().use { streamed ->
             file.outputStream().use { it.write(1) }
-            val refused = assertThrows(UncheckedIOException::class.java) { hashes(streamed.loaded, listOf(Tiled())) }
+            val refused =
+                assertThrows(UncheckedIOException::class.java) { hashes(streamed.loaded, listOf(TiledRenderer())) }
             assertTrue(refused.cause is SceneReadException, "${refused.cause}")
             assertTrue("has become shorter" in refused.message!!, refused.message)
         }

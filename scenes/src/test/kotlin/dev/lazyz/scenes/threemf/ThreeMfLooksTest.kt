@@ -5,11 +5,10 @@ import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.scenes.threemf.ThreeMfFiles.model
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.TextureWrap
 import dev.lazyz.world.surface.Mesh
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
@@ -98,8 +97,8 @@ class ThreeMfLooksTest {
         val uvs = textured.triangles.map { textured.uvs!!.slice(2 * it..2 * it + 1) }
         assertEquals(listOf(listOf(0f, 1f)) + List(5) { listOf(1f, 0.75f) }, uvs)
         val texture = textured.material.texture!!
-        assertEquals(listOf(TextureWrap.MIRROR, TextureWrap.CLAMP), listOf(texture.wrapU, texture.wrapV))
-        assertEquals(TextureFilter.NEAREST, texture.filter)
+        assertEquals(listOf(Texture.Wrap.MIRROR, Texture.Wrap.CLAMP), listOf(texture.wrapU, texture.wrapV))
+        assertEquals(Texture.Filter.NEAREST, texture.filter)
         assertNull(colored.material.texture)
     }
 
@@ -129,7 +128,7 @@ class ThreeMfLooksTest {
         }
         assertEquals("FF808080", sample(texture("pid=\"1\"", group = "6"), 2f, 0.5f))
         val half = texture("pid=\"2\"", styles = "tilestyleu=\"wrap\" tilestylev=\"none\"")
-        assertEquals(listOf(1, 3, TextureWrap.REPEAT), half.texture.run { listOf(width, height, wrapU) })
+        assertEquals(listOf(1, 3, Texture.Wrap.REPEAT), half.texture.run { listOf(width, height, wrapU) })
         assertEquals(listOf("FF090909", "FF00FF00"), listOf(sample(half, 2.5f, 0.5f), sample(half, 0.5f, 2f)))
     }
 

@@ -1,19 +1,19 @@
 package dev.lazyz.conformance.cases.changed
 
-import dev.lazyz.BatchShader
-import dev.lazyz.Fragment
-import dev.lazyz.FragmentBatch
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.Shader
-import dev.lazyz.ShadingCursor
 import dev.lazyz.conformance.cases.CountingCursor
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.code
 import dev.lazyz.conformance.cases.recoloured
 import dev.lazyz.scenes.Tint
+import dev.lazyz.spi.BatchShader
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.FragmentBatch
+import dev.lazyz.spi.Shader
+import dev.lazyz.spi.ShadingCursor
 
 /**
  * Gives fragments extreme colours.

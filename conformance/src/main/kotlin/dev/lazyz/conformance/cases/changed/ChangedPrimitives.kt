@@ -1,19 +1,19 @@
 package dev.lazyz.conformance.cases.changed
 
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Shader
-import dev.lazyz.ShadingCursor
-import dev.lazyz.SpanCursor
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.FrameCase
-import dev.lazyz.conformance.cases.NothingThere
+import dev.lazyz.conformance.cases.UncoveredPrimitive
 import dev.lazyz.scenes.Tint
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.Shader
+import dev.lazyz.spi.ShadingCursor
+import dev.lazyz.spi.SpanCursor
+import dev.lazyz.spi.Spans
 import java.util.Collections
 
 /** A primitive with other coverage than [whole]. Its cursor calls [spans] for each row. */
@@ -133,7 +133,7 @@ internal fun FrameCase.doubled(): FrameCase = FrameCase(
 /** Returns the frame with tens of thousands of primitives with empty bounds before its last primitives. */
 internal fun FrameCase.behindMany(): FrameCase {
     val half = frame.primitives.size / 2
-    val nothing = Collections.nCopies(MANY, Cutting(NothingThere(frame.raster), 0..<0, 0..<0))
+    val nothing = Collections.nCopies(MANY, Cutting(UncoveredPrimitive(frame.raster), 0..<0, 0..<0))
     return FrameCase(
         Frame(frame.raster, frame.primitives.take(half) + nothing + frame.primitives.drop(half)),
         "$code\n    .let { SuiteFrames.behindMany(it) }",
@@ -190,7 +190,7 @@ private class WithMillions(private val few: List<Primitive>, private val nothing
 
 /** Returns the frame with [MILLIONS] primitives with empty bounds after half of its primitives. */
 internal fun FrameCase.behindMillions(): FrameCase = FrameCase(
-    Frame(frame.raster, WithMillions(frame.primitives, Cutting(NothingThere(frame.raster), 0..<0, 0..<0))),
+    Frame(frame.raster, WithMillions(frame.primitives, Cutting(UncoveredPrimitive(frame.raster), 0..<0, 0..<0))),
     "$code\n    .let { SuiteFrames.behindMillions(it) }",
 )
 

@@ -4,7 +4,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.conformance.cases.FrameCase
-import dev.lazyz.conformance.cases.NothingThere
+import dev.lazyz.conformance.cases.UncoveredPrimitive
 import dev.lazyz.conformance.cases.code
 import dev.lazyz.world.surface.Polygon
 import java.util.Random
@@ -75,7 +75,7 @@ internal fun FrameCase.inOrder(order: List<Int>): FrameCase = FrameCase(
 
 /** Returns the frame with a primitive that covers nothing, but has the raster's bounds, before each primitive. */
 internal fun FrameCase.padded(): FrameCase = FrameCase(
-    Frame(frame.raster, frame.primitives.flatMap { listOf(NothingThere(frame.raster), it) }),
+    Frame(frame.raster, frame.primitives.flatMap { listOf(UncoveredPrimitive(frame.raster), it) }),
     "$code\n    .let { SuiteFrames.padded(it) }",
 )
 

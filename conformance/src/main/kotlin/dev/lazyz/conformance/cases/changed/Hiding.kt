@@ -1,19 +1,19 @@
 package dev.lazyz.conformance.cases.changed
 
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
-import dev.lazyz.ShadingCursor
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Glass
-import dev.lazyz.conformance.cases.NothingThere
 import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.conformance.cases.Stripe
+import dev.lazyz.conformance.cases.UncoveredPrimitive
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.ShadingCursor
 import java.util.Random
 
 /** Where a primitive is that is invisible. */
 internal enum class HidingPlace(private val primitive: (Frame) -> Primitive?) {
-    NOWHERE({ NothingThere(it.raster) }),
+    NOWHERE({ UncoveredPrimitive(it.raster) }),
     BEHIND_EVERYTHING({
         with(it.raster) { Stripe(0..<width, 0..<height, Rasters.behindAll(depthTest)) }
     }),
@@ -54,7 +54,7 @@ private fun besides(frame: Frame): Primitive? {
 }
 
 /** What [whole] covers, black and with alpha 0, so that its packed colour is 0; it says that it holds a megabyte. */
-private class HeavyAndDark(whole: Primitive) : Primitive by whole {
+private class TransparentPrimitive(whole: Primitive) : Primitive by whole {
     override val heldBytes: Long get() = 1L shl 20
 
     override fun shade(fragment: Fragment): Unit = fragment.setColor(0f, 0f, 0f, 0f)
@@ -62,9 +62,9 @@ private class HeavyAndDark(whole: Primitive) : Primitive by whole {
     override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
 }
 
-/** Returns the frame with every second primitive as [HeavyAndDark]. */
+/** Returns the frame with every second primitive as [TransparentPrimitive]. */
 internal fun FrameCase.halfHeavyAndDark(): FrameCase {
-    val primitives = frame.primitives.mapIndexed { index, it -> if (index % 2 == 1) HeavyAndDark(it) else it }
+    val primitives = frame.primitives.mapIndexed { index, it -> if (index % 2 == 1) TransparentPrimitive(it) else it }
     return FrameCase(
         Frame(frame.raster, primitives, frame.region),
         "$code\n    .let { SuiteFrames.halfHeavyAndDark(it) }",

@@ -1,19 +1,19 @@
 package dev.lazyz.conformance.frames.screen
 
-import dev.lazyz.FillRule
-import dev.lazyz.LinearForm
 import dev.lazyz.Raster
 import dev.lazyz.conformance.cases.Confetti
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.code
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.scenes.Tint
+import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.spi.LinearForm
 import dev.lazyz.world.Camera
-import dev.lazyz.world.FrameBuilder
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 
 /** A primitive in screen space, before it has an index. */
 internal sealed interface Piece {

@@ -1,12 +1,12 @@
 package dev.lazyz.conformance.frames.screen
 
-import dev.lazyz.LinearForm
 import dev.lazyz.Raster
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.listsOf
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
+import dev.lazyz.spi.LinearForm
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

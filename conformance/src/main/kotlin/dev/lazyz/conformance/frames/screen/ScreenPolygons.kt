@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.frames.screen
 
-import dev.lazyz.FillRule
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
+import dev.lazyz.geometry.FillRule
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

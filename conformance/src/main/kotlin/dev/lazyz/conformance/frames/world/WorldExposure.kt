@@ -8,7 +8,6 @@ import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneCurve
 import dev.lazyz.world.ToneMapping
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
@@ -62,12 +61,12 @@ internal object WorldExposure {
     private fun toneMappings(): Arbitrary<SceneChange> {
         val mappings = mixed(
             4 to Arbitraries.just(ToneMapping.NONE),
-            2 to Combinators.combine(oneOf(*ToneCurve.values()), oneOf(0.0, 1.0, -0.5)).`as`(::ToneMapping),
+            2 to Combinators.combine(oneOf(*ToneMapping.Curve.values()), oneOf(0.0, 1.0, -0.5)).`as`(::ToneMapping),
         )
         val changes = mappings.map { mapping ->
             SceneChange(
                 { it.withToneMapping(mapping) },
-                "\n    .withToneMapping(ToneMapping(ToneCurve.${mapping.curve}, ${code(mapping.exposure)}))",
+                "\n    .withToneMapping(ToneMapping(ToneMapping.Curve.${mapping.curve}, ${code(mapping.exposure)}))",
             )
         }
         return mixed(2 to Arbitraries.just(same), 5 to changes)

@@ -6,8 +6,8 @@ import dev.lazyz.conformance.cases.code
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
-import dev.lazyz.world.Falloff
 import dev.lazyz.world.Light
+import dev.lazyz.world.Light.Falloff
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

@@ -7,20 +7,17 @@ import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
 import dev.lazyz.scenes.Tint
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.TextureWrap
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
@@ -165,19 +162,19 @@ internal object WorldMaps {
 /** Generates small textures with every filter, and how they are laid on surfaces. */
 internal object WorldTextures {
     /** Generates textures of any colours. Half of them are opaque. */
-    fun colors(): Arbitrary<Coded<TextureMap>> = maps(TextureEncoding.SRGB, TextureEncoding.LINEAR, 0)
+    fun colors(): Arbitrary<Coded<TextureMap>> = maps(Texture.Encoding.SRGB, Texture.Encoding.LINEAR, 0)
 
     /** Generates textures of any numbers. */
-    fun numbers(): Arbitrary<Coded<TextureMap>> = maps(TextureEncoding.LINEAR, TextureEncoding.SRGB, 0)
+    fun numbers(): Arbitrary<Coded<TextureMap>> = maps(Texture.Encoding.LINEAR, Texture.Encoding.SRGB, 0)
 
     /** Generates textures of normals, whose blue is at least half: they point outward. */
-    fun normals(): Arbitrary<Coded<TextureMap>> = maps(TextureEncoding.LINEAR, TextureEncoding.SRGB, 0x80)
+    fun normals(): Arbitrary<Coded<TextureMap>> = maps(Texture.Encoding.LINEAR, Texture.Encoding.SRGB, 0x80)
 
     /**
      * Generates textures with the encoding [usual], sometimes [other], whose texels have at least the bits [least].
      * Some have a mip filter, some use the second texture coordinates, some transform the coordinates.
      */
-    private fun maps(usual: TextureEncoding, other: TextureEncoding, least: Int): Arbitrary<Coded<TextureMap>> =
+    private fun maps(usual: Texture.Encoding, other: Texture.Encoding, least: Int): Arbitrary<Coded<TextureMap>> =
         Combinators.combine(textures(usual, other, least), oneOf(0, 0, 0, 1), transforms())
             .`as` { texture, uvSet, transform ->
                 val words = listOfNotNull(
@@ -199,20 +196,20 @@ internal object WorldTextures {
         ),
     )
 
-    private fun textures(usual: TextureEncoding, other: TextureEncoding, least: Int): Arbitrary<Coded<Texture>> {
+    private fun textures(usual: Texture.Encoding, other: Texture.Encoding, least: Int): Arbitrary<Coded<Texture>> {
         val sizes = oneOf(2 to 2, 1 to 1, 3 to 5, 1 to 4, 8 to 8)
-        val wraps = oneOf(*TextureWrap.values())
+        val wraps = oneOf(*Texture.Wrap.values())
         val mipFilters = oneOf(MipFilter.NONE, MipFilter.NONE, MipFilter.TRILINEAR, MipFilter.ANISOTROPIC)
         val encodings = oneOf(usual, usual, usual, usual, other)
         return Combinators
-            .combine(sizes, ints(0, 0xFF), oneOf(*TextureFilter.values()), wraps, wraps, mipFilters, encodings)
+            .combine(sizes, ints(0, 0xFF), oneOf(*Texture.Filter.values()), wraps, wraps, mipFilters, encodings)
             .`as` { (width, height), seed, filter, wrapU, wrapV, mipFilter, encoding ->
                 val texels = IntArray(width * height) { texel(seed, it) or least }
                 val words = listOfNotNull(
                     "$width, $height, intArrayOf(${texels.joinToString()})",
-                    "TextureFilter.$filter, TextureWrap.$wrapU, TextureWrap.$wrapV",
+                    "Texture.Filter.$filter, Texture.Wrap.$wrapU, Texture.Wrap.$wrapV",
                     "mipFilter = MipFilter.$mipFilter".takeIf { mipFilter != MipFilter.NONE },
-                    "encoding = TextureEncoding.$encoding".takeIf { encoding != TextureEncoding.SRGB },
+                    "encoding = Texture.Encoding.$encoding".takeIf { encoding != Texture.Encoding.SRGB },
                 )
                 Coded(
                     Texture(

@@ -1,17 +1,17 @@
 package dev.lazyz.conformance.frames.world
 
-import dev.lazyz.FillRule
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.cases.Coded
 import dev.lazyz.conformance.cases.code
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
+import dev.lazyz.geometry.FillRule
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Polygon
+import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
-import dev.lazyz.world.surface.Vertex
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators

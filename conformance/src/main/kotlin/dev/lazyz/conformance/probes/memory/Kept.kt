@@ -10,7 +10,7 @@ import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.probes.answer
-import dev.lazyz.conformance.probes.threads.Workers
+import dev.lazyz.conformance.probes.threads.WorkerProbe
 import dev.lazyz.conformance.probes.ways
 import java.lang.ref.Reference
 import java.lang.ref.WeakReference
@@ -46,7 +46,7 @@ private fun keepsNothing(renderer: Renderer, executor: Executor, moment: String)
 }
 
 private fun renderedByTwo(renderer: Renderer): List<WeakReference<Any>> {
-    val frame = Workers(Thread.currentThread()) {}.frame
+    val frame = WorkerProbe(Thread.currentThread()) {}.frame
     renderer.inTime(frame) { _, _, _, _ -> }
     return listOf(frame, frame.primitives.first()).map { WeakReference(it) }
 }

@@ -1,14 +1,12 @@
 package dev.lazyz.conformance.probes.memory
 
 import dev.lazyz.Capability
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.Spans
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.Glass
 import dev.lazyz.conformance.cases.Once
@@ -17,6 +15,8 @@ import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.ways
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 import dev.lazyz.world.Camera
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.SetUp

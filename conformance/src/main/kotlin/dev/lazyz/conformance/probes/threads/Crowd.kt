@@ -1,11 +1,11 @@
 package dev.lazyz.conformance.probes.threads
 
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
 import java.util.concurrent.atomic.LongAdder
 
 /** Where the primitives of a [Crowd] make threads meet. */

@@ -1,17 +1,16 @@
 package dev.lazyz.conformance.probes.threads
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Renderer
-import dev.lazyz.ShadingCursor
 import dev.lazyz.conformance.cases.CountingCursor
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Stripe
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.judgement.difference
@@ -19,6 +18,7 @@ import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.judgement.withoutMemory
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.spi.ShadingCursor
 
 /** Calls [block] until threads have met often enough to show race conditions, or do not meet at all. */
 internal fun whileTheyMeet(where: Where, block: (meeting: Meeting, round: Int) -> Unit) {
@@ -36,9 +36,9 @@ private const val MOST_ROUNDS = 3
 
 /** Fails unless [renderer] renders [crowd] as the oracle renders [quiet]. */
 internal fun rightInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) {
-    val expected = Rendering.of(ReferenceRenderer(), quiet.frame).image
+    val expected = Recording.of(ReferenceRenderer(), quiet.frame).image
     val actual = try {
-        Rendering.of(renderer, crowd.frame).image
+        Recording.of(renderer, crowd.frame).image
     } catch (e: Exception) {
         throw Violation("${renderer.id}, when threads meet: threw $e", quiet, expected, cause = e)
     }
@@ -48,13 +48,13 @@ internal fun rightInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) {
 
 /** Fails unless [renderer], with four threads, counts what happens in [crowd], and the same as one thread. */
 internal fun countsInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) {
-    val counters = Rendering.of(renderer.configured(RenderOptions(threads = 4, tileSize = 8)), crowd.frame).counters
+    val counters = Recording.of(renderer.configured(RenderOptions(threads = 4, tileSize = 8)), crowd.frame).counters
     val counted = listOf(counters.primitives, counters.fragments, counters.shadingCalls)
     val happened = listOf(Crowd.COUNT.toLong(), Crowd.FRAGMENTS, crowd.shadingCalls)
     val words = "primitives, fragments and shading calls"
     if (counted != happened) miscounted(renderer, quiet, "$words are $happened, but $counted are counted")
     if (Capability.PARALLEL !in renderer.capabilities) return
-    val alone = Rendering.of(renderer.configured(RenderOptions(threads = 1, tileSize = 8)), quiet.frame).counters
+    val alone = Recording.of(renderer.configured(RenderOptions(threads = 1, tileSize = 8)), quiet.frame).counters
     if (counters.withoutMemory() != alone.withoutMemory()) {
         miscounted(renderer, quiet, "one thread counts $alone, but several count $counters")
     }
@@ -93,6 +93,6 @@ private const val HEIGHT = 249
 private const val RENDERINGS = 100
 
 private fun miscounted(renderer: Renderer, quiet: FrameCase, what: String): Nothing {
-    val right = Rendering.of(ReferenceRenderer(), quiet.frame).image
+    val right = Recording.of(ReferenceRenderer(), quiet.frame).image
     throw Violation("${renderer.id}, when threads meet: $what\nin\n$quiet", quiet, right, right)
 }

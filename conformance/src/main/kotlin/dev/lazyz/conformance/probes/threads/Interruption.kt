@@ -2,24 +2,24 @@ package dev.lazyz.conformance.probes.threads
 
 import dev.lazyz.Capability
 import dev.lazyz.Counters
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Selector
-import dev.lazyz.ShadingCursor
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Recorder
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.answer
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.LinearForm
+import dev.lazyz.spi.ShadingCursor
+import dev.lazyz.spi.Spans
 import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
 
@@ -140,7 +140,7 @@ private class InterruptedRendering(
     fun lostPicture(case: FrameCase): String? {
         if (thrown is InterruptedException) return null
         val image = recorder.image(counters ?: return "threw $thrown")
-        return difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.toString()
+        return difference(Recording.of(ReferenceRenderer(), case.frame).image, image)?.toString()
     }
 
     private inner class Asking(whole: Primitive) : Recovered(whole) {

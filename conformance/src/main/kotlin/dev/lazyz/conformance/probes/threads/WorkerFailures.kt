@@ -7,7 +7,7 @@ import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.watched
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Recorder
-import dev.lazyz.conformance.judgement.Rendering
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.Violation
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.fail
@@ -25,15 +25,15 @@ import java.util.concurrent.locks.LockSupport
 
 /** Fails unless what a primitive throws in one of [renderer]'s own threads reaches the caller unchanged. */
 internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
-    val quiet = Workers.quiet()
+    val quiet = WorkerProbe.quiet()
     for (question in Question.entries) {
         for (kind in Planted.entries) {
             val planted = kind.make()
             val isThrown = AtomicBoolean()
-            val workers = Workers(Thread.currentThread()) {
+            val workers = WorkerProbe(Thread.currentThread()) {
                 if (it == question && isThrown.compareAndSet(false, true)) throw planted
             }
-            val thrown = answer { Rendering.of(renderer, workers.frame) }
+            val thrown = answer { Recording.of(renderer, workers.frame) }
 
             // A renderer without worker threads has nothing to pass on
             if (!workers.hasWorker) return
@@ -51,8 +51,8 @@ internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
 private fun passesOnOneOfSeveral(renderer: Renderer, quiet: FrameCase) {
     val planted = ConcurrentLinkedQueue<Throwable>()
     fun fail(): Nothing = throw Planted.EXCEPTION.make().also { planted.add(it) }
-    val workers = Workers(Thread.currentThread(), { fail() }) { fail() }
-    val thrown = answer { Rendering.of(renderer, workers.frame) }
+    val workers = WorkerProbe(Thread.currentThread(), { fail() }) { fail() }
+    val thrown = answer { Recording.of(renderer, workers.frame) }
     if (!workers.hasWorker) return
     val one = planted.firstOrNull { it === thrown } ?: planted.first()
     val change = changed(one, thrown) ?: return
@@ -69,7 +69,7 @@ internal fun completesOrThrowsIfInterrupted(renderer: Renderer, isBefore: Boolea
     repeat(ATTEMPTS) { completesOrThrowsOnce(renderer, isBefore) }
 
 private fun completesOrThrowsOnce(renderer: Renderer, isBefore: Boolean) {
-    val quiet = Workers.quiet()
+    val quiet = WorkerProbe.quiet()
     val rendering = InterruptedCaller(renderer, isBefore)
     val thread = Thread(rendering, "lazyz-interrupted")
     thread.isDaemon = true
@@ -87,11 +87,11 @@ private fun completesOrThrowsOnce(renderer: Renderer, isBefore: Boolean) {
  * what is different in each attempt.
  */
 internal fun finishesIfWorkersAreInterrupted(renderer: Renderer) {
-    val quiet = Workers.quiet()
+    val quiet = WorkerProbe.quiet()
     repeat(ATTEMPTS) {
         // Who looks at the frame of a failure afterwards is not interrupted
         val isOver = AtomicBoolean()
-        val workers = Workers(Thread.currentThread()) { if (!isOver.get()) Thread.currentThread().interrupt() }
+        val workers = WorkerProbe(Thread.currentThread()) { if (!isOver.get()) Thread.currentThread().interrupt() }
         val case = quiet.watched(workers.frame)
         try {
             Judgement(renderer, case, "primitives that interrupt other threads").equalsPictureOf(ReferenceRenderer())
@@ -123,11 +123,11 @@ internal fun leavesNoInterrupt(renderer: Renderer) {
     val configured = renderer.configured(RenderOptions(threads = 4, tileSize = 8, executor = executor))
     repeat(ATTEMPTS) {
         val waited = ConcurrentHashMap.newKeySet<Thread>()
-        val workers = Workers(Thread.currentThread(), { throw Planted.EXCEPTION.make() }) {
+        val workers = WorkerProbe(Thread.currentThread(), { throw Planted.EXCEPTION.make() }) {
             val worker = Thread.currentThread()
             if (waited.add(worker)) awaitUntil(BRIEF) { worker.isInterrupted }
         }
-        answer { Rendering.of(configured, workers.frame) }
+        answer { Recording.of(configured, workers.frame) }
 
         // A renderer that does not use the executor cannot interrupt its threads
         if (!isUsed.get()) return
@@ -171,7 +171,7 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
 
     override fun run() {
         caller = Thread.currentThread()
-        val workers = Workers(caller) {
+        val workers = WorkerProbe(caller) {
             if (hasEnded) late.incrementAndGet()
             hold()
             if (isSent && pauses.getAndIncrement() < MOST_PAUSES) LockSupport.parkNanos(PAUSE)
@@ -214,7 +214,7 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
             thrown is InterruptedException -> null
             image == null -> "threw $thrown"
             isSent && !isSet -> "returned, but the interrupt status is no longer set"
-            else -> difference(Rendering.of(ReferenceRenderer(), case.frame).image, image)?.toString()
+            else -> difference(Recording.of(ReferenceRenderer(), case.frame).image, image)?.toString()
         }
     }
 

@@ -1,12 +1,12 @@
 package dev.lazyz.conformance.mutants.skeletons
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import java.util.concurrent.Callable

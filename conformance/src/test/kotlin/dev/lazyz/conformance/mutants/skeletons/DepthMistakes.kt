@@ -1,9 +1,9 @@
 package dev.lazyz.conformance.mutants.skeletons
 
-import dev.lazyz.Coherence
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames
 

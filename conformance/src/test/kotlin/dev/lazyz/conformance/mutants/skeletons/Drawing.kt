@@ -3,12 +3,12 @@ package dev.lazyz.conformance.mutants.skeletons
 import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.spi.Fragment
 
 /** A renderer that makes a [Drawing] for each frame; what it promises may depend on its options. */
 internal class Workbench(

@@ -1,16 +1,16 @@
 package dev.lazyz.conformance.mutants.skeletons
 
 import dev.lazyz.Capability
-import dev.lazyz.Cell
-import dev.lazyz.Coherence
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
+import dev.lazyz.Selector.Cell
+import dev.lazyz.spi.Fragment
 
 /** Row by row: every sample keeps the keys of all its fragments, and a selector chooses, or they are blended. */
 internal open class ListDrawing(frame: Frame, selector: Selector?) :

@@ -1,6 +1,6 @@
 package dev.lazyz.conformance.mutants.skeletons
 
-import dev.lazyz.Fragment
+import dev.lazyz.spi.Fragment
 
 /** The sums of rule 5.5. */
 internal open class Mixture {

@@ -6,13 +6,13 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.Spans
+import dev.lazyz.spi.Spans
 
 /** The plain depth buffer: a key and a colour for every sample; shades what is nearer at once. */
 internal open class PlainDrawing(frame: Frame) : Drawing(frame) {
     val keys = LongArray(region.size.toInt())
     val colors = IntArray(region.size.toInt())
-    val spans = Spans(region)
+    val spans = region.spans()
 
     override fun run(sink: RowSink): Counters {
         keys.fill(backgroundKey())

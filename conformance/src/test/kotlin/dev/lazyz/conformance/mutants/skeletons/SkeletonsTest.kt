@@ -1,14 +1,14 @@
 package dev.lazyz.conformance.mutants.skeletons
 
 import dev.lazyz.Capability
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.oracle.ReferenceRenderer
-import dev.lazyz.world.FrameBuilder
+import dev.lazyz.setup.FrameBuilder
 import kotlin.random.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test

@@ -1,16 +1,16 @@
 package dev.lazyz.conformance.mutants.skeletons
 
 import dev.lazyz.Capability
-import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.ShadingCursor
-import dev.lazyz.SpanCursor
-import dev.lazyz.Spans
+import dev.lazyz.spi.ShadingCursor
+import dev.lazyz.spi.SpanCursor
+import dev.lazyz.spi.Spans
 
 /** Row by row: a list of the primitives that are alive on the row, a key a column, shading by steps along the row. */
 internal open class SweepDrawing(frame: Frame, val coherence: Coherence) : Drawing(frame) {
@@ -18,7 +18,7 @@ internal open class SweepDrawing(frame: Frame, val coherence: Coherence) : Drawi
 
     class Chain(val cursor: ShadingCursor, var x: Int)
 
-    val spans = Spans(region)
+    val spans = region.spans()
     open val keys = LongArray(width)
     val active = ArrayList<Entry>()
     val chains = HashMap<Int, Chain>()

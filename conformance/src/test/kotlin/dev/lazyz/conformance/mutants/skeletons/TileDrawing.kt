@@ -8,7 +8,7 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.Spans
+import dev.lazyz.spi.Spans
 
 /** Keys of a band of tiles; each tile rejects what is behind all its samples; shades once the band is done. */
 internal open class TileDrawing(frame: Frame, val tileSize: Int) : Drawing(frame) {
@@ -59,7 +59,7 @@ internal open class TileDrawing(frame: Frame, val tileSize: Int) : Drawing(frame
 
     open fun drawTile(tile: Region, bin: IntArray) {
         begin(tile)
-        val spans = Spans(tile)
+        val spans = tile.spans()
         for (index in bin) {
             val primitive = primitives[index]
             if (!touches(primitive, tile) || isHidden(primitive, index)) continue

@@ -1,10 +1,10 @@
 package dev.lazyz.conformance.mutants.skeletons
 
-import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.RowSink
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames

@@ -1,13 +1,13 @@
 package dev.lazyz.conformance.mutants.wrappers
 
 import dev.lazyz.Capability
-import dev.lazyz.Cell
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
+import dev.lazyz.Selector.Cell
 import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.conformance.mutants.AtDepth
 import dev.lazyz.conformance.mutants.BrokenRenderer
@@ -24,8 +24,8 @@ import dev.lazyz.conformance.mutants.on
 import dev.lazyz.conformance.mutants.primitives
 import dev.lazyz.conformance.mutants.rows
 import dev.lazyz.conformance.mutants.swappedTies
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /**
  * Renderers with a single mistake.
@@ -90,8 +90,8 @@ internal object BasicMistakes {
 
     /** Correct indices and depths, but on ties the colour of the other primitive. */
     fun colourOfTheLoser() = BrokenRenderer("colour-of-the-loser") { frame, sink ->
-        val right = ZBuffer().render(frame)
-        val wrong = ZBuffer().render(frame.on { withDepthTest(swappedTies(depthTest)) })
+        val right = ZBufferRenderer().render(frame)
+        val wrong = ZBufferRenderer().render(frame.on { withDepthTest(swappedTies(depthTest)) })
         emit(Image(right.region, wrong.argb, right.depth, right.primitive, right.counters), sink)
     }
 
@@ -141,7 +141,7 @@ internal object BasicMistakes {
     fun remembersTheLastFrame(): BrokenRenderer {
         var last = IntArray(0)
         return BrokenRenderer("remembers-the-last-frame") { frame, sink ->
-            val image = ZBuffer().render(frame)
+            val image = ZBufferRenderer().render(frame)
             for (i in image.argb.indices) {
                 if (image.primitive[i] == DepthTest.BACKGROUND && i < last.size) image.argb[i] = last[i]
             }
@@ -156,7 +156,7 @@ internal object BasicMistakes {
         return BrokenRenderer("one-thread-only") { frame, sink ->
             current = frame
             Thread.sleep(1)
-            ZBuffer().render(checkNotNull(current), sink)
+            ZBufferRenderer().render(checkNotNull(current), sink)
         }
     }
 
@@ -211,6 +211,6 @@ internal object BasicMistakes {
     private fun blending(id: String, selector: Selector) =
         BrokenRenderer(id, setOf(Capability.TRANSPARENCY)) { frame, sink ->
             val chosen = if (frame.hasTranslucency) selector else Selector.nearest()
-            Lists(RenderOptions(selector = chosen)).render(frame, sink)
+            ListsRenderer(RenderOptions(selector = chosen)).render(frame, sink)
         }
 }

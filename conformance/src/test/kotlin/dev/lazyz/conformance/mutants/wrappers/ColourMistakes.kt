@@ -1,22 +1,22 @@
 package dev.lazyz.conformance.mutants.wrappers
 
 import dev.lazyz.Capability
-import dev.lazyz.Cell
 import dev.lazyz.Counters
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.RowSink
 import dev.lazyz.Selector
-import dev.lazyz.ShadingCursor
+import dev.lazyz.Selector.Cell
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.primitives
-import dev.lazyz.strategies.lazy.LazyZBuffer
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.painter.Painter
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.ShadingCursor
+import dev.lazyz.strategies.lazy.LazyRenderer
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.painter.PainterRenderer
 
 /** Renderers that are correct except for colours, and for when colours are computed. */
 internal object ColourMistakes {
@@ -44,21 +44,21 @@ internal object ColourMistakes {
 
     fun shadesBeforeTheTest() =
         BrokenRenderer("shades-before-the-test", setOf(Capability.SHADES_ONLY_VISIBLE)) { frame, sink ->
-            Painter().render(frame, sink)
+            PainterRenderer().render(frame, sink)
         }
 
     fun shadesTwice() = BrokenRenderer("shades-twice", setOf(Capability.SHADES_ONLY_VISIBLE)) { frame, sink ->
-        LazyZBuffer().render(Frame(frame.raster, frame.primitives.map(::TwiceShaded), frame.region), sink)
+        LazyRenderer().render(Frame(frame.raster, frame.primitives.map(::TwiceShaded), frame.region), sink)
     }
 
     fun oneStepShort() = stepping("one-step-short") { cursor, steps -> if (steps > 1) cursor.step() }
 
     fun countsNoSteps() = coherent("counts-no-steps") { frame, options, sink ->
-        LazyZBuffer(options).render(frame, sink).toBuilder().apply { shadingSteps = 0 }.build()
+        LazyRenderer(options).render(frame, sink).toBuilder().apply { shadingSteps = 0 }.build()
     }
 
     fun countsWholeChains() = coherent("counts-whole-chains") { frame, options, sink ->
-        LazyZBuffer(options).render(frame, sink).toBuilder().apply { longestChain = shadingSteps }.build()
+        LazyRenderer(options).render(frame, sink).toBuilder().apply { longestChain = shadingSteps }.build()
     }
 
     /** A surface without texture coordinates has those that are left in the fragment. */
@@ -94,7 +94,7 @@ internal object ColourMistakes {
 
     private fun stepping(id: String, step: (ShadingCursor, Int) -> Unit) = coherent(id) { frame, options, sink ->
         val primitives = frame.primitives.map { Stepping(it, step) }
-        LazyZBuffer(options).render(Frame(frame.raster, primitives, frame.region), sink)
+        LazyRenderer(options).render(Frame(frame.raster, primitives, frame.region), sink)
     }
 
     /** Renders with the options of coherence by [how]. */
@@ -231,6 +231,6 @@ internal object GlassMistakes {
     private fun blending(id: String, promises: Set<Capability> = emptySet(), selector: Selector): BrokenRenderer =
         BrokenRenderer(id, promises + Capability.TRANSPARENCY) { frame: Frame, sink ->
             val chosen = if (frame.hasTranslucency) selector else Selector.nearest()
-            Lists(RenderOptions(selector = chosen)).render(frame, sink)
+            ListsRenderer(RenderOptions(selector = chosen)).render(frame, sink)
         }
 }

@@ -3,12 +3,12 @@ package dev.lazyz.conformance.mutants.wrappers
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.changed.Cutting
 import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.drawing
+import dev.lazyz.spi.Spans
 
 /** Renderers that are correct except for coverage. */
 internal object CoverageMistakes {

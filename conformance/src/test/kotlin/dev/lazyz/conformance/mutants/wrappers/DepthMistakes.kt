@@ -1,10 +1,10 @@
 package dev.lazyz.conformance.mutants.wrappers
 
-import dev.lazyz.DepthConvention
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Primitive
+import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.conformance.cases.changed.renumbered
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
@@ -13,7 +13,7 @@ import dev.lazyz.conformance.mutants.drawing
 import dev.lazyz.conformance.mutants.emit
 import dev.lazyz.conformance.mutants.painting
 import dev.lazyz.conformance.mutants.primitives
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /** Renderers that are correct except for depths and their comparison. */
 internal object DepthMistakes {
@@ -52,7 +52,7 @@ internal object DepthMistakes {
     /** Decides by one sample of what was drawn so far whether a whole primitive is hidden. */
     fun staleRejection() = drawing("rejects-by-one-corner") { frame ->
         frame.keeping { index ->
-            val before = ZBuffer().render(frame.keeping { it < index })
+            val before = ZBufferRenderer().render(frame.keeping { it < index })
             val depth = before.depth[0]
             val primitive = frame.primitives[index]
             when (frame.raster.depthTest) {
@@ -80,7 +80,7 @@ internal object DepthMistakes {
     private fun comparing(id: String, how: (primitive: Primitive, x: Int, y: Int, depth: Int) -> Int) =
         BrokenRenderer(id) { frame, sink ->
             val primitives = frame.primitives.map { At(it) { x, y -> how(it, x, y, it.depth(x, y)) } }
-            val image = ZBuffer().render(Frame(frame.raster, primitives, frame.region))
+            val image = ZBufferRenderer().render(Frame(frame.raster, primitives, frame.region))
             val shown = image.withDepths { i, _ ->
                 val x = image.region.columnStart + i % image.width
                 val y = image.region.rowStart + i / image.width

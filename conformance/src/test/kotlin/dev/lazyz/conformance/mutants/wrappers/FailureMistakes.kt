@@ -1,23 +1,23 @@
 package dev.lazyz.conformance.mutants.wrappers
 
 import dev.lazyz.Capability
-import dev.lazyz.Cell
 import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.RowSink
 import dev.lazyz.Selector
-import dev.lazyz.Spans
+import dev.lazyz.Selector.Cell
 import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.counting
-import dev.lazyz.strategies.hybrid.Hybrid
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Spans
+import dev.lazyz.strategies.hybrid.HybridRenderer
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.util.Collections
 import java.util.Locale
 import java.util.concurrent.ThreadLocalRandom
@@ -44,13 +44,13 @@ internal object FailureMistakes {
         options.executor?.execute {
             worker.set(Thread.currentThread())
             try {
-                ZBuffer().render(frame)
+                ZBufferRenderer().render(frame)
             } catch (_: InterruptedException) {
                 Thread.currentThread().interrupt()
             }
         }
         try {
-            ZBuffer().render(frame, sink)
+            ZBufferRenderer().render(frame, sink)
         } catch (e: Throwable) {
             worker.get()?.interrupt()
             throw e
@@ -76,7 +76,7 @@ internal object FailureMistakes {
                 )
             }
         }
-        val counters = Lists(options.withSelector(counted)).render(frame, sink)
+        val counters = ListsRenderer(options.withSelector(counted)).render(frame, sink)
         counters.toBuilder().apply { shadingCalls -= calls.get() }.build()
     }
 
@@ -85,11 +85,11 @@ internal object FailureMistakes {
     private fun leavesTasks(options: RenderOptions): BrokenRenderer =
         BrokenRenderer("leaves-tasks", options = { leavesTasks(it) }) { frame, sink ->
             options.executor?.execute { check(frame.width > 0) }
-            ZBuffer().render(frame, sink)
+            ZBufferRenderer().render(frame, sink)
         }
 
     fun claimsTilesTwice() = parallel("claims-tiles-twice") { frame, sink, options ->
-        val counters = Tiled(options).render(frame, sink)
+        val counters = TiledRenderer(options).render(frame, sink)
         val isTwice = options.threads > 1 && frame.region.size > 60_000 && ThreadLocalRandom.current().nextInt(5) == 0
         if (isTwice) counters.toBuilder().apply { fragments += 64 }.build() else counters
     }
@@ -104,7 +104,7 @@ internal object FailureMistakes {
                 }
             }
         }
-        Tiled(options).render(Frame(frame.raster, left, frame.region), sink)
+        TiledRenderer(options).render(Frame(frame.raster, left, frame.region), sink)
     }
 
     /** Renders by [draw] with the threads of the options. */
@@ -143,7 +143,7 @@ internal object TidyMistakes {
 
     private fun having(id: String, block: (Frame) -> Unit) = BrokenRenderer(id) { frame, sink ->
         block(frame)
-        ZBuffer().render(frame, sink)
+        ZBufferRenderer().render(frame, sink)
     }
 }
 
@@ -161,13 +161,13 @@ internal object MemoryMistakes {
     )
 
     private fun wholePicture() = BrokenRenderer("whole-picture", setOf(Capability.CONSTANT_MEMORY)) { frame, sink ->
-        ZBuffer().render(frame, sink).toBuilder().apply { peakBytes = 12L * frame.width }.build()
+        ZBufferRenderer().render(frame, sink).toBuilder().apply { peakBytes = 12L * frame.width }.build()
     }
 
     private fun storesPrimitives() =
         BrokenRenderer("stores-primitives", setOf(Capability.STREAMS_PRIMITIVES)) { frame, sink ->
             val hoard = ArrayList<Primitive>()
-            ZBuffer().render(frame.heard { hoard.add(it) }, sink).also { hoard.clear() }
+            ZBufferRenderer().render(frame.heard { hoard.add(it) }, sink).also { hoard.clear() }
         }
 
     /** Returns the frame with primitives that are passed to [hear] one by one. */
@@ -187,16 +187,17 @@ internal object MemoryMistakes {
         setOf(Capability.MEMORY_BUDGET),
         { reportsTheBudgetAsKept(it) },
     ) { frame, sink ->
-        val image = Hybrid(RenderOptions(memoryBudget = 0)).render(Frame(frame.raster, emptyList(), frame.region))
+        val image =
+            HybridRenderer(RenderOptions(memoryBudget = 0)).render(Frame(frame.raster, emptyList(), frame.region))
         val most = image.counters.peakBytes + (options.memoryBudget ?: Long.MAX_VALUE / 2)
-        Hybrid().render(frame, sink).toBuilder().apply { peakBytes = minOf(peakBytes, most) }.build()
+        HybridRenderer().render(frame, sink).toBuilder().apply { peakBytes = minOf(peakBytes, most) }.build()
     }
 
     private fun keepsTheLastFrame(): BrokenRenderer {
         val last = arrayOfNulls<Frame>(1)
         return BrokenRenderer("keeps-the-last-frame") { frame, sink ->
             last[0] = frame
-            ZBuffer().render(frame, sink)
+            ZBufferRenderer().render(frame, sink)
         }
     }
 
@@ -204,7 +205,7 @@ internal object MemoryMistakes {
         val failed = ArrayList<Frame>()
         return BrokenRenderer("keeps-failed-frames") { frame, sink ->
             failed.add(frame)
-            ZBuffer().render(frame, sink).also { failed.remove(frame) }
+            ZBufferRenderer().render(frame, sink).also { failed.remove(frame) }
         }
     }
 }

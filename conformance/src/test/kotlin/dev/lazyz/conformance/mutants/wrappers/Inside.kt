@@ -2,9 +2,9 @@ package dev.lazyz.conformance.mutants.wrappers
 
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
-import dev.lazyz.Shader
+import dev.lazyz.spi.Shader
 import dev.lazyz.world.AmbientVisibility
-import dev.lazyz.world.material.TextureFilter
+import dev.lazyz.world.material.Texture
 
 /** Temporary changes of fields of the library's objects. */
 internal class Changes : AutoCloseable {
@@ -114,7 +114,7 @@ internal class Inside(primitive: Primitive) {
         }
 
         fun readNearest(inside: Inside, changes: Changes) {
-            inside.texture?.let { changes.set(it, "filter", TextureFilter.NEAREST) }
+            inside.texture?.let { changes.set(it, "filter", Texture.Filter.NEAREST) }
         }
 
         fun interpolateOnScreen(inside: Inside, changes: Changes) =

@@ -5,7 +5,6 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Renderer
-import dev.lazyz.Spans
 import dev.lazyz.conformance.cases.changed.renumbered
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
@@ -13,8 +12,9 @@ import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.WrongColors
 import dev.lazyz.conformance.mutants.emit
 import dev.lazyz.conformance.mutants.painting
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Spans
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.util.IdentityHashMap
 
 /** Renderers that render correctly as long as they are used in the usual way. */
@@ -41,33 +41,33 @@ internal object MannerMistakes {
     )
 
     fun regionOffsetTwice() = BrokenRenderer("region-offset-twice") { frame, sink ->
-        ZBuffer().render(frame) { y, argb, depth, primitive ->
+        ZBufferRenderer().render(frame) { y, argb, depth, primitive ->
             sink.row(y + frame.region.rowStart, argb, depth, primitive)
         }
     }
 
     /** The options are set in the renderer that is asked for another one. */
     fun configuresItself(): BrokenRenderer {
-        var current: Renderer = Lists()
+        var current: Renderer = ListsRenderer()
         lateinit var itself: BrokenRenderer
         itself = BrokenRenderer(
             "configures-itself",
             setOf(Capability.SELECTION, Capability.TRANSPARENCY),
-            { options -> itself.also { current = Lists(options) } },
+            { options -> itself.also { current = ListsRenderer(options) } },
         ) { frame, sink -> current.render(frame, sink) }
         return itself
     }
 
     /** Correct on all frames of the suite. */
     fun widthOf97() = BrokenRenderer("width-of-97") { frame, sink ->
-        val renderer = if (frame.raster.width == 97) WrongColors() else ZBuffer()
+        val renderer = if (frame.raster.width == 97) WrongColors() else ZBufferRenderer()
         renderer.render(frame, sink)
     }
 
     /** Visits all primitives before it considers the region. */
     fun looksOutsideTheRegion() = BrokenRenderer("looks-outside-the-region") { frame, sink ->
         for (it in frame.primitives) for (y in it.rowStart until it.rowEnd) it.spans(y, Spans())
-        ZBuffer().render(frame, sink)
+        ZBufferRenderer().render(frame, sink)
     }
 
     fun failsAfterAFailure(): BrokenRenderer {
@@ -75,13 +75,13 @@ internal object MannerMistakes {
         return BrokenRenderer("fails-after-a-failure") { frame, sink ->
             check(!hasFailed) { "still failing" }
             hasFailed = true
-            ZBuffer().render(frame, sink).also { hasFailed = false }
+            ZBufferRenderer().render(frame, sink).also { hasFailed = false }
         }
     }
 
     fun addsToExceptions() = BrokenRenderer("adds-to-exceptions") { frame, sink ->
         try {
-            ZBuffer().render(frame, sink)
+            ZBufferRenderer().render(frame, sink)
         } catch (e: Throwable) {
             e.addSuppressed(IllegalStateException("rendering failed"))
             throw e
@@ -90,22 +90,22 @@ internal object MannerMistakes {
 
     fun interruptedHalfWay() = BrokenRenderer("empty-when-interrupted") { frame, sink ->
         val primitives = if (Thread.interrupted()) emptyList() else frame.primitives
-        ZBuffer().render(Frame(frame.raster, primitives, frame.region), sink)
+        ZBufferRenderer().render(Frame(frame.raster, primitives, frame.region), sink)
     }
 
     fun failsWhenInterrupted() = BrokenRenderer("fails-when-interrupted") { frame, sink ->
         check(!Thread.interrupted()) { "interrupted" }
-        ZBuffer().render(frame, sink)
+        ZBufferRenderer().render(frame, sink)
     }
 
     /** Merges the pictures of two threads without comparing depths. */
     fun racyMerge(): BrokenRenderer =
         BrokenRenderer("racy-merge", options = { if (it.threads > 1) racyMerge(2) else racyMerge() }) { frame, sink ->
-            ZBuffer().render(frame, sink)
+            ZBufferRenderer().render(frame, sink)
         }
 
     private fun racyMerge(threads: Int) = BrokenRenderer("racy-merge") { frame, sink ->
-        val parts = (0 until threads).map { part -> ZBuffer().render(frame.keeping { it % threads == part }) }
+        val parts = (0 until threads).map { part -> ZBufferRenderer().render(frame.keeping { it % threads == part }) }
         emit(parts.reduce { first, second -> overwritten(first, second) }, sink)
     }
 

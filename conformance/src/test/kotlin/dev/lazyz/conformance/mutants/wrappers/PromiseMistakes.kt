@@ -7,18 +7,18 @@ import dev.lazyz.Image
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.Spans
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.counting
 import dev.lazyz.conformance.mutants.painting
-import dev.lazyz.strategies.hierarchical.HierarchicalZBuffer
-import dev.lazyz.strategies.hybrid.Hybrid
-import dev.lazyz.strategies.lazy.LazyZBuffer
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Spans
+import dev.lazyz.strategies.hierarchical.HierarchicalRenderer
+import dev.lazyz.strategies.hybrid.HybridRenderer
+import dev.lazyz.strategies.lazy.LazyRenderer
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /** Renderers that are correct but declare too many capabilities, or count incorrectly. */
 internal object PromiseMistakes {
@@ -60,7 +60,7 @@ internal object PromiseMistakes {
         ),
     )
 
-    fun memoryGrows() = claiming("memory-grows-with-rows", Capability.CONSTANT_MEMORY, ZBuffer())
+    fun memoryGrows() = claiming("memory-grows-with-rows", Capability.CONSTANT_MEMORY, ZBufferRenderer())
 
     /** Promises to stay within a budget, but holds as much as the image once more, and reports it. */
     fun holdsTheImageTwice(): BrokenRenderer = holdsTheImageTwice(RenderOptions())
@@ -71,17 +71,17 @@ internal object PromiseMistakes {
         { holdsTheImageTwice(it) },
     ) { frame, sink ->
         val copy = IntArray(3 * frame.width * frame.height)
-        Hybrid(options).render(frame) { y, argb, depth, primitive ->
+        HybridRenderer(options).render(frame) { y, argb, depth, primitive ->
             copy[y - frame.region.rowStart]++
             sink.row(y, argb, depth, primitive)
         }.toBuilder().apply { peakBytes += Int.SIZE_BYTES.toLong() * copy.size }.build()
     }
 
-    fun buffersRows() = claiming("buffers-rows", Capability.STREAMS_ROWS, ZBuffer())
+    fun buffersRows() = claiming("buffers-rows", Capability.STREAMS_ROWS, ZBufferRenderer())
 
     /** Reports the memory of opaque pictures also for translucent ones. */
     fun reportsNoLayers() = BrokenRenderer("reports-no-layers", setOf(Capability.TRANSPARENCY)) { frame, sink ->
-        val counters = Tiled(RenderOptions(threads = 1)).render(frame, sink).toBuilder()
+        val counters = TiledRenderer(RenderOptions(threads = 1)).render(frame, sink).toBuilder()
         if (frame.hasTranslucency) counters.peakBytes = minOf(counters.peakBytes, 36 * frame.region.size)
         counters.build()
     }
@@ -90,17 +90,19 @@ internal object PromiseMistakes {
     fun keepsGlass() = BrokenRenderer(
         "keeps-glass",
         setOf(Capability.STREAMS_PRIMITIVES, Capability.TRANSPARENCY),
-    ) { frame, sink -> if (frame.hasTranslucency) Lists().render(frame, sink) else Hybrid().render(frame, sink) }
+    ) { frame, sink ->
+        if (frame.hasTranslucency) ListsRenderer().render(frame, sink) else HybridRenderer().render(frame, sink)
+    }
 
     /** Queries all primitives about the next row before it delivers this one. */
     fun looksAhead() = BrokenRenderer("looks-ahead", setOf(Capability.STREAMS_ROWS)) { frame, sink ->
-        LazyZBuffer().render(frame) { y, argb, depth, primitive ->
+        LazyRenderer().render(frame) { y, argb, depth, primitive ->
             if (y + 1 < frame.region.rowEnd) for (it in frame.primitives) it.spans(y + 1, Spans())
             sink.row(y, argb, depth, primitive)
         }
     }
 
-    fun notParallel() = claiming("not-parallel", Capability.PARALLEL, ZBuffer())
+    fun notParallel() = claiming("not-parallel", Capability.PARALLEL, ZBufferRenderer())
 
     fun countsByThread() = threaded("counts-by-thread") { counters, threads -> counters.depthEvaluations += threads }
 
@@ -108,24 +110,24 @@ internal object PromiseMistakes {
 
     private fun threaded(id: String, threads: Int = 1, change: (Counters.Builder, Int) -> Unit): BrokenRenderer =
         BrokenRenderer(id, setOf(Capability.PARALLEL), { threaded(id, it.threads, change) }) { frame, sink ->
-            Tiled(RenderOptions(threads = threads, tileSize = 8)).render(frame, sink).toBuilder()
+            TiledRenderer(RenderOptions(threads = threads, tileSize = 8)).render(frame, sink).toBuilder()
                 .also { change(it, threads) }.build()
         }
 
-    fun budgetIgnored() = claiming("budget-ignored", Capability.MEMORY_BUDGET, Hybrid())
+    fun budgetIgnored() = claiming("budget-ignored", Capability.MEMORY_BUDGET, HybridRenderer())
 
     /** Without memory for a suspension, the sample stays unchanged. */
     fun noColoursWithoutBudget() = BrokenRenderer(
         "no-colours-without-budget",
         setOf(Capability.MEMORY_BUDGET),
-        { if (it.memoryBudget == 0L) withoutColours() else Hybrid(it) },
-    ) { frame, sink -> ZBuffer().render(frame, sink) }
+        { if (it.memoryBudget == 0L) withoutColours() else HybridRenderer(it) },
+    ) { frame, sink -> ZBufferRenderer().render(frame, sink) }
 
     private fun withoutColours() = painting("no-colours-without-budget") { image, _ -> image.dark() }
 
     private fun Image.dark() = Image(region, IntArray(argb.size), depth, primitive, counters)
 
-    fun keepsPrimitives() = claiming("keeps-primitives", Capability.STREAMS_PRIMITIVES, HierarchicalZBuffer())
+    fun keepsPrimitives() = claiming("keeps-primitives", Capability.STREAMS_PRIMITIVES, HierarchicalRenderer())
 
     fun countsVisibleFragments() = counting("counts-visible-fragments") { fragments = it.visible.toLong() }
 

@@ -3,7 +3,6 @@ package dev.lazyz.conformance.mutants.wrappers
 import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Drawing
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Primitive
@@ -12,17 +11,18 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.Spans
 import dev.lazyz.StreamingRenderer
+import dev.lazyz.StreamingRenderer.Rendering
 import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.conformance.cases.changed.renumbered
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.emit
-import dev.lazyz.strategies.hybrid.Hybrid
-import dev.lazyz.strategies.tiled.Tiled
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Spans
+import dev.lazyz.strategies.hybrid.HybridRenderer
+import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /** Renderers that keep, reuse or count the wrong things. */
 internal object ReuseMistakes {
@@ -66,7 +66,7 @@ internal object ReuseMistakes {
         var most = 0
         return BrokenRenderer("rows-of-the-first-tall-frame") { frame, sink ->
             if (frame.height > BAND && most == 0) most = frame.height
-            val image = ZBuffer().render(frame)
+            val image = ZBufferRenderer().render(frame)
             val kept = if (frame.height > BAND) most * frame.width else image.argb.size
             emit(image.with { place, value, empty -> if (place < kept) value else empty }, sink)
         }
@@ -76,7 +76,7 @@ internal object ReuseMistakes {
     fun fillsEmptyBandsOnce() = BrokenRenderer("fills-empty-bands-once") { frame, sink ->
         val rows = List(BAND) { List(3) { IntArray(frame.width) } }
         val used = frame.primitives.flatMap { it.rowStart / BAND..(it.rowEnd - 1) / BAND }.toSet()
-        ZBuffer().render(frame) { y, argb, depth, primitive ->
+        ZBufferRenderer().render(frame) { y, argb, depth, primitive ->
             val own = rows[y % BAND]
             val isFilled = y / BAND in used || y / BAND - 1 in used || y - frame.region.rowStart < BAND
             if (isFilled) listOf(argb, depth, primitive).zip(own) { from, to -> from.copyInto(to, 0, 0, frame.width) }
@@ -99,13 +99,13 @@ internal object ReuseMistakes {
                 }
             }
         }
-        ZBuffer().render(Frame(frame.raster, late, frame.region), sink)
+        ZBufferRenderer().render(Frame(frame.raster, late, frame.region), sink)
     }
 
     /** Takes primitives one by one and keeps all of them, whatever the budget. */
     fun keepsHeavyPrimitives(): BrokenRenderer = BudgetStream("keeps-heavy-primitives") { _, drawing ->
         val kept = ArrayList<Primitive>()
-        object : Drawing {
+        object : Rendering {
             override fun add(primitive: Primitive) {
                 drawing.add(primitive)
                 kept.add(primitive)
@@ -119,20 +119,20 @@ internal object ReuseMistakes {
     private class BudgetStream(
         id: String,
         private val options: RenderOptions = RenderOptions(),
-        private val make: (RenderOptions, Drawing) -> Drawing,
-    ) : BrokenRenderer(id, setOf(Capability.MEMORY_BUDGET), how = Hybrid(options)::render),
+        private val make: (RenderOptions, Rendering) -> Rendering,
+    ) : BrokenRenderer(id, setOf(Capability.MEMORY_BUDGET), how = HybridRenderer(options)::render),
         StreamingRenderer {
         override fun configured(options: RenderOptions): Renderer =
             BudgetStream(id, options.requireSupportedBy(this), make)
 
-        override fun begin(raster: Raster, region: Region): Drawing =
-            make(options, Hybrid(options).begin(raster, region))
+        override fun begin(raster: Raster, region: Region): Rendering =
+            make(options, HybridRenderer(options).begin(raster, region))
     }
 
     /** Counts the primitives of the last group. */
     fun countsALastGroup() = StreamMistakes.stream("stream-counts-a-last-group") { begin ->
         val drawing = begin()
-        object : Drawing by drawing {
+        object : Rendering by drawing {
             override fun finish(sink: RowSink): Counters =
                 drawing.finish(sink).toBuilder().apply { primitives %= GROUP }.build()
         }
@@ -141,7 +141,7 @@ internal object ReuseMistakes {
     /** Numbers primitives of a later group by their place in it. */
     fun numbersALastGroup() = StreamMistakes.stream("stream-numbers-a-last-group") { begin ->
         val drawing = begin()
-        object : Drawing by drawing {
+        object : Rendering by drawing {
             override fun finish(sink: RowSink): Counters = drawing.finish { y, argb, depth, primitive ->
                 sink.row(y, argb, depth, IntArray(primitive.size) { primitive[it] % GROUP })
             }
@@ -151,7 +151,7 @@ internal object ReuseMistakes {
     /** Draws the visible primitives of earlier groups again with each group, and counts their fragments each time. */
     fun countsWhatIsKeptAgain() = StreamMistakes.stream("stream-counts-what-is-kept-again") { begin ->
         val drawing = begin()
-        object : Drawing by drawing {
+        object : Rendering by drawing {
             override fun finish(sink: RowSink): Counters {
                 var visible = 0L
                 val counters = drawing.finish { y, argb, depth, primitive ->
@@ -173,7 +173,7 @@ internal object ReuseMistakes {
                 }
             }
         }
-        ZBuffer().render(Frame(frame.raster, left, frame.region), sink)
+        ZBufferRenderer().render(Frame(frame.raster, left, frame.region), sink)
     }
 
     /** A place within a tile has 16 bits, and those of tiles of 512 x 512 samples need more. */
@@ -184,7 +184,7 @@ internal object ReuseMistakes {
         options = { placesOf16Bits(it) },
     ) { frame, sink ->
         val side = options.tileSize
-        val image = ZBuffer().render(frame)
+        val image = ZBufferRenderer().render(frame)
         emit(
             image.with { place, value, empty ->
                 val inTile = place / frame.width % side * side + place % frame.width % side
@@ -198,18 +198,18 @@ internal object ReuseMistakes {
     fun losesATriangleOfBlocks() = BrokenRenderer("loses-a-triangle-of-blocks") { frame, sink ->
         val isLost = frame.region.rowStart % 8 != 0 && frame.primitives.size > MANY_TRIANGLES
         val left = if (isLost) frame.primitives.drop(1) else frame.primitives
-        ZBuffer().render(Frame(frame.raster, left, frame.region), sink)
+        ZBufferRenderer().render(Frame(frame.raster, left, frame.region), sink)
     }
 
     /** Streamed frames are drawn part by part, and the primitives of each part are numbered from 0. */
     fun numbersEachPart() = BrokenRenderer("numbers-each-part") { frame, sink ->
-        val image = ZBuffer().render(frame)
+        val image = ZBufferRenderer().render(frame)
         emit(if (frame.isStreamed) image.renumbered { it % PART } else image, sink)
     }
 
     /** The parts of a streamed frame are drawn as if all of them were opaque. */
     fun streamsAsOpaque() = BrokenRenderer("streams-as-opaque", setOf(Capability.TRANSPARENCY)) { frame, sink ->
-        Tiled().render(if (frame.isStreamed) frame.asOpaque() else frame, sink)
+        TiledRenderer().render(if (frame.isStreamed) frame.asOpaque() else frame, sink)
     }
 
     /** Returns the image with other samples; [change] gets a sample's place, its value, and that of the background. */

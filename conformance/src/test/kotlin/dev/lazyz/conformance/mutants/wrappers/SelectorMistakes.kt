@@ -1,15 +1,15 @@
 package dev.lazyz.conformance.mutants.wrappers
 
 import dev.lazyz.Capability
-import dev.lazyz.Cell
-import dev.lazyz.Fragment
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
+import dev.lazyz.Selector.Cell
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Fragment
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /** Renderers that ignore the caller's selector, or give it wrong cells. */
 internal object SelectorMistakes {
@@ -74,6 +74,6 @@ internal object SelectorMistakes {
     private fun selecting(id: String, change: (Selector) -> Selector) = BrokenRenderer(
         id,
         setOf(Capability.SELECTION),
-        { options -> Lists(RenderOptions(selector = options.selector?.let(change))) },
-    ) { frame, sink -> ZBuffer().render(frame, sink) }
+        { options -> ListsRenderer(RenderOptions(selector = options.selector?.let(change))) },
+    ) { frame, sink -> ZBufferRenderer().render(frame, sink) }
 }

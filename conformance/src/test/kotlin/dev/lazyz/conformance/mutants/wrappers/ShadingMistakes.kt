@@ -1,14 +1,14 @@
 package dev.lazyz.conformance.mutants.wrappers
 
 import dev.lazyz.Capability
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
-import dev.lazyz.Shader
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Shader
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /** Renderers that are correct except for normals, light, textures, maps, materials and tone mapping. */
 internal object ShadingMistakes {
@@ -68,14 +68,14 @@ internal object ShadingMistakes {
     /** A mistake in how primitives are shaded, which [change] makes inside each of them. */
     private fun mistake(id: String, what: String, noticedBy: Array<String>, change: (Inside, Changes) -> Unit) =
         Mistake(id, what, *noticedBy) {
-            BrokenRenderer(id) { frame, sink -> changed(frame, change) { ZBuffer().render(frame, sink) } }
+            BrokenRenderer(id) { frame, sink -> changed(frame, change) { ZBufferRenderer().render(frame, sink) } }
         }
 
     fun vertexAlphaIgnored() = BrokenRenderer("vertex-alpha-ignored", setOf(Capability.TRANSPARENCY)) { frame, sink ->
         val change = { inside: Inside, changes: Changes ->
             inside.eachCorner { data, at -> changes.setNumber(data, at + Inside.COLOR + 3, 1.0) }
         }
-        changed(frame, change) { Lists().render(frame, sink) }
+        changed(frame, change) { ListsRenderer().render(frame, sink) }
     }
 
     /** In fine meshes, derivatives of the sample that was shaded before, which is often one of another triangle. */
@@ -85,7 +85,7 @@ internal object ShadingMistakes {
         val change = { inside: Inside, changes: Changes ->
             if (isFine) inside.reshade(changes) { late(it, last) }
         }
-        changed(frame, change) { ZBuffer().render(frame, sink) }
+        changed(frame, change) { ZBufferRenderer().render(frame, sink) }
     }
 
     /** Returns [shader] with the derivatives of the sample before, which are in [last]. */

@@ -1,15 +1,13 @@
 package dev.lazyz.conformance.mutants.wrappers
 
 import dev.lazyz.Capability
-import dev.lazyz.Cell
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
-import dev.lazyz.Spans
+import dev.lazyz.Selector.Cell
 import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.conformance.cases.changed.renumbered
 import dev.lazyz.conformance.mutants.BrokenRenderer
@@ -19,8 +17,10 @@ import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.drawing
 import dev.lazyz.conformance.mutants.painting
 import dev.lazyz.conformance.mutants.primitives
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /** Renderers that are correct as long as nothing is large. */
 internal object SizeMistakes {
@@ -110,7 +110,7 @@ internal object SizeMistakes {
                 (0 until spans.count).any { x in spans.start(it)..<spans.end(it) }
             }.map { it.depth(x, y) }.toList().toIntArray()
             sort(depths, 0, depths.size)
-            Lists().render(frame, sink)
+            ListsRenderer().render(frame, sink)
         }
 
     /** Quicksort with the first element as the pivot, from [start] until [end]. */
@@ -171,7 +171,7 @@ internal object SizeMistakes {
 
     private fun Primitive.coversAll(frame: Frame): Boolean =
         (frame.region.rowStart until frame.region.rowEnd).all { y ->
-            val spans = Spans(frame.region).also { spans(y, it) }
+            val spans = frame.region.spans().also { spans(y, it) }
             spans.count == 1 && spans.end(0) - spans.start(0) == frame.region.width
         }
 
@@ -215,7 +215,7 @@ internal object SizeMistakes {
             val change = left()
             val selector = Selector { cell -> Selector.blend().select(change(cell)) }
             val chosen = if (frame.hasTranslucency) selector else Selector.nearest()
-            Lists(RenderOptions(selector = chosen)).render(frame, sink)
+            ListsRenderer(RenderOptions(selector = chosen)).render(frame, sink)
         }
 
     fun indexThroughAFloat() = painting("index-through-a-float") { image, _ ->
@@ -234,7 +234,7 @@ internal object SizeMistakes {
         val kept = frame.primitives.map { primitive ->
             val samples = HashSet<Pair<Int, Int>>()
             for (y in frame.region.rowStart until frame.region.rowEnd) {
-                val spans = Spans(frame.region).also { primitive.spans(y, it) }
+                val spans = frame.region.spans().also { primitive.spans(y, it) }
                 for (i in 0 until spans.count) {
                     for (x in spans.start(i) until spans.end(i)) {
                         if (counts.merge(x to y, 1, Int::plus)!! <= most) samples.add(x to y)
@@ -243,7 +243,7 @@ internal object SizeMistakes {
             }
             Sifted(primitive) { x, y -> (x to y) in samples }
         }
-        ZBuffer().render(Frame(frame.raster, kept, frame.region), sink)
+        ZBufferRenderer().render(Frame(frame.raster, kept, frame.region), sink)
     }
 
     /** Covers the samples of [whole] for which [isKept] returns true. */

@@ -2,7 +2,6 @@ package dev.lazyz.conformance.mutants.wrappers
 
 import dev.lazyz.Capability
 import dev.lazyz.Counters
-import dev.lazyz.Drawing
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
@@ -11,10 +10,11 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.StreamingRenderer
+import dev.lazyz.StreamingRenderer.Rendering
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /** Renderers that are right for frames, but wrong for primitives that arrive one by one, or for unsupported options. */
 internal object StreamMistakes {
@@ -35,7 +35,7 @@ internal object StreamMistakes {
 
     fun namesTheFirst() = stream("stream-names-the-first") { begin ->
         val drawing = begin()
-        object : Drawing by drawing {
+        object : Rendering by drawing {
             override fun add(primitive: Primitive) = try {
                 drawing.add(primitive)
             } catch (_: IllegalArgumentException) {
@@ -46,7 +46,7 @@ internal object StreamMistakes {
 
     fun continuesAfterAnError() = stream("stream-continues-after-an-error") { begin ->
         var drawing = begin()
-        object : Drawing {
+        object : Rendering {
             override fun add(primitive: Primitive) = try {
                 drawing.add(primitive)
             } catch (e: Error) {
@@ -60,7 +60,7 @@ internal object StreamMistakes {
 
     fun refusesBeforeItLooks() = stream("stream-refuses-before-it-looks") { begin ->
         val drawing = begin()
-        object : Drawing by drawing {
+        object : Rendering by drawing {
             override fun add(primitive: Primitive) {
                 require(!primitive.isTranslucent) { "primitive 0 is translucent" }
                 drawing.add(primitive)
@@ -70,7 +70,7 @@ internal object StreamMistakes {
 
     fun drawsTheTranslucent() = stream("stream-draws-the-translucent") { begin ->
         val drawing = begin()
-        object : Drawing by drawing {
+        object : Rendering by drawing {
             override fun add(primitive: Primitive) =
                 drawing.add(Frame(Raster(1, 1), listOf(primitive)).asOpaque().primitives.single())
         }
@@ -78,7 +78,7 @@ internal object StreamMistakes {
 
     fun deliversAgain() = stream("stream-delivers-again") { begin ->
         val added = ArrayList<Primitive>()
-        object : Drawing {
+        object : Rendering {
             override fun add(primitive: Primitive) {
                 require(!primitive.isTranslucent)
                 added += primitive
@@ -100,20 +100,20 @@ internal object StreamMistakes {
     fun ignoresTheRegion(): BrokenRenderer = WholeStream()
 
     private class WholeStream :
-        BrokenRenderer("stream-ignores-the-region", how = { frame, sink -> ZBuffer().render(frame, sink) }),
+        BrokenRenderer("stream-ignores-the-region", how = { frame, sink -> ZBufferRenderer().render(frame, sink) }),
         StreamingRenderer {
-        override fun begin(raster: Raster, region: Region): Drawing = ZBuffer().begin(raster, raster.region)
+        override fun begin(raster: Raster, region: Region): Rendering = ZBufferRenderer().begin(raster, raster.region)
     }
 
     fun ignoresOptions(): BrokenRenderer =
-        object : BrokenRenderer("ignores-options", how = { frame, sink -> ZBuffer().render(frame, sink) }) {
+        object : BrokenRenderer("ignores-options", how = { frame, sink -> ZBufferRenderer().render(frame, sink) }) {
             override fun configured(options: RenderOptions): Renderer = this
         }
 
     fun refusesItsOwnOptions(): BrokenRenderer = object : BrokenRenderer(
         "refuses-its-own-options",
         setOf(Capability.COHERENCE),
-        how = { frame, sink -> ZBuffer().render(frame, sink) },
+        how = { frame, sink -> ZBufferRenderer().render(frame, sink) },
     ) {
         override fun configured(options: RenderOptions): Renderer =
             throw IllegalArgumentException("no options are supported")
@@ -122,15 +122,15 @@ internal object StreamMistakes {
     internal fun stream(
         id: String,
         promises: Set<Capability> = emptySet(),
-        make: (begin: () -> Drawing) -> Drawing,
+        make: (begin: () -> Rendering) -> Rendering,
     ): BrokenRenderer = BrokenStream(id, promises, make)
 
     private class BrokenStream(
         id: String,
         promises: Set<Capability>,
-        private val make: (begin: () -> Drawing) -> Drawing,
-    ) : BrokenRenderer(id, promises, how = { frame, sink -> ZBuffer().render(frame, sink) }),
+        private val make: (begin: () -> Rendering) -> Rendering,
+    ) : BrokenRenderer(id, promises, how = { frame, sink -> ZBufferRenderer().render(frame, sink) }),
         StreamingRenderer {
-        override fun begin(raster: Raster, region: Region): Drawing = make { ZBuffer().begin(raster, region) }
+        override fun begin(raster: Raster, region: Region): Rendering = make { ZBufferRenderer().begin(raster, region) }
     }
 }

@@ -1,15 +1,15 @@
 package dev.lazyz.conformance.mutants.wrappers
 
 import dev.lazyz.Counters
-import dev.lazyz.Fragment
-import dev.lazyz.Spans
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Crew
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.Tools
 import dev.lazyz.conformance.mutants.emit
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Spans
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import kotlin.concurrent.thread
 
 /** Renderers with mistakes in the use of threads and of the sink. */
@@ -72,7 +72,7 @@ internal object ThreadMistakes {
         val rows = ThreadLocal.withInitial { HashMap<Int, List<IntArray>>() }
         return BrokenRenderer("keeps-rows-by-width") { frame, sink ->
             val own = rows.get().getOrPut(frame.width) { List(3) { IntArray(frame.width) } }
-            ZBuffer().render(frame) { y, argb, depth, primitive ->
+            ZBufferRenderer().render(frame) { y, argb, depth, primitive ->
                 for ((from, to) in listOf(argb, depth, primitive).zip(own)) from.copyInto(to, 0, 0, frame.width)
                 sink.row(y, own[0], own[1], own[2])
             }
@@ -84,7 +84,7 @@ internal object ThreadMistakes {
         return BrokenRenderer("keeps-rows-in-a-thread") { frame, sink ->
             if (rows.get()[0].size < frame.width) rows.set(List(3) { IntArray(frame.width) })
             val own = rows.get()
-            ZBuffer().render(frame) { y, argb, depth, primitive ->
+            ZBufferRenderer().render(frame) { y, argb, depth, primitive ->
                 for ((from, to) in listOf(argb, depth, primitive).zip(own)) from.copyInto(to, 0, 0, frame.width)
                 sink.row(y, own[0], own[1], own[2])
             }
@@ -104,7 +104,7 @@ internal object ThreadMistakes {
                 // The caller takes part, too
             }
         }
-        ZBuffer().render(frame, sink).also { helper.join() }
+        ZBufferRenderer().render(frame, sink).also { helper.join() }
     }
 
     private fun sharesARow() = crew("shares-a-row", 4) {
@@ -139,19 +139,19 @@ internal object ThreadMistakes {
     }
 
     private fun callsFromAThread() = BrokenRenderer("calls-from-a-thread") { frame, sink ->
-        val image = ZBuffer().render(frame)
+        val image = ZBufferRenderer().render(frame)
         thread { emit(image, sink) }.join()
         image.counters
     }
 
     private fun callsAtOnce() = BrokenRenderer("calls-at-once") { frame, sink ->
-        val image = ZBuffer().render(frame)
+        val image = ZBufferRenderer().render(frame)
         (0 until image.height).map { row -> thread { emit(image, sink, listOf(row)) } }.forEach { it.join() }
         image.counters
     }
 
     private fun writesOnlyChanges() = BrokenRenderer("writes-only-changes") { frame, sink ->
-        val image = ZBuffer().render(frame)
+        val image = ZBufferRenderer().render(frame)
         val rows = List(3) { IntArray(image.width) }
         for (y in 0 until image.height) {
             listOf(image.argb, image.depth, image.primitive).forEachIndexed { i, all ->
@@ -166,7 +166,7 @@ internal object ThreadMistakes {
     }
 
     private fun fillsRowsLater() = BrokenRenderer("fills-rows-later") { frame, sink ->
-        ZBuffer().render(frame) { y, argb, depth, primitive ->
+        ZBufferRenderer().render(frame) { y, argb, depth, primitive ->
             val next = thread { depth.fill(y) }
             sink.row(y, argb, depth, primitive)
             next.join()
@@ -175,7 +175,7 @@ internal object ThreadMistakes {
 
     private fun losesTheInterrupt() = BrokenRenderer("loses-the-interrupt") { frame, sink ->
         Thread.interrupted()
-        ZBuffer().render(frame) { y, argb, depth, primitive ->
+        ZBufferRenderer().render(frame) { y, argb, depth, primitive ->
             sink.row(y, argb, depth, primitive)
             Thread.interrupted()
         }
@@ -183,7 +183,7 @@ internal object ThreadMistakes {
 
     private fun interruptsTwice() = BrokenRenderer("interrupts-twice") { frame, sink ->
         try {
-            ZBuffer().render(frame, sink)
+            ZBufferRenderer().render(frame, sink)
         } catch (e: InterruptedException) {
             Thread.currentThread().interrupt()
             throw e

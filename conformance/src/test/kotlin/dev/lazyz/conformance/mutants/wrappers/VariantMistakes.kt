@@ -7,8 +7,8 @@ import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.emit
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.tiled.TiledRenderer
 
 /** Renderers that keep their promises only for opaque primitives, whole pictures or without a selector. */
 internal object VariantMistakes {
@@ -29,11 +29,11 @@ internal object VariantMistakes {
 
     fun blendsThreeHundred() = BrokenRenderer("blends-three-hundred", setOf(Capability.TRANSPARENCY)) { frame, sink ->
         val kept = frame.primitives.indices.filter { frame.primitives[it].isTranslucent }.drop(300).toSet()
-        Lists().render(frame.keeping { it !in kept }, sink)
+        ListsRenderer().render(frame.keeping { it !in kept }, sink)
     }
 
     fun buffersGlass() = BrokenRenderer("buffers-glass", streaming) { frame, sink ->
-        if (frame.hasTranslucency) emit(Lists().render(frame), sink) else Lists().render(frame, sink)
+        if (frame.hasTranslucency) emit(ListsRenderer().render(frame), sink) else ListsRenderer().render(frame, sink)
     }
 
     fun oneThreadForGlass() = withThreads("one-thread-for-glass", 1) { _, _ -> 1 }
@@ -43,7 +43,7 @@ internal object VariantMistakes {
     private fun withThreads(id: String, threads: Int, ofGlass: (Int, Frame) -> Int): BrokenRenderer =
         BrokenRenderer(id, parallel, { withThreads(id, it.threads, ofGlass) }) { frame, sink ->
             val all = if (frame.hasTranslucency) ofGlass(threads, frame) else threads
-            Tiled(RenderOptions(threads = all, tileSize = 8)).render(frame, sink)
+            TiledRenderer(RenderOptions(threads = all, tileSize = 8)).render(frame, sink)
         }
 }
 
@@ -62,7 +62,7 @@ internal object CombinationMistakes {
     private fun glazier(id: String, isLost: (Frame, RenderOptions) -> Boolean): BrokenRenderer {
         fun configured(options: RenderOptions): BrokenRenderer =
             BrokenRenderer(id, setOf(Capability.TRANSPARENCY), options = { configured(it) }) { frame, sink ->
-                Lists().render(if (isLost(frame, options)) frame.asOpaque() else frame, sink)
+                ListsRenderer().render(if (isLost(frame, options)) frame.asOpaque() else frame, sink)
             }
         return configured(RenderOptions(threads = 1))
     }

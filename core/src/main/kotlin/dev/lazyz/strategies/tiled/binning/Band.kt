@@ -86,7 +86,7 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
     fun spans(member: Int): BandSpans? = spans[member]
 
     /** Fills the bins of band number [band] with the primitives of [arrivals]; [bins] are those of batches. */
-    fun fill(band: Int, arrivals: Arrivals, bins: TriangleBins?) {
+    fun fill(band: Int, arrivals: ActivePrimitives, bins: TriangleBins?) {
         number = band
         this.bins = bins
         rowStart = grid.rowStart(band)
@@ -115,7 +115,7 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
         }
     }
 
-    private fun enter(arrivals: Arrivals) {
+    private fun enter(arrivals: ActivePrimitives) {
         count = arrivals.count
         if (singles.size < count) reserve(count + count / 4)
         for (member in 0 until count) {

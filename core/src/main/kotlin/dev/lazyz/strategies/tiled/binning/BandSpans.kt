@@ -4,8 +4,8 @@ import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
-import dev.lazyz.Spans
 import dev.lazyz.bytes
+import dev.lazyz.spi.Spans
 import java.util.concurrent.atomic.AtomicLong
 
 /**

@@ -1,11 +1,11 @@
 package dev.lazyz.strategies.tiled.raster
 
 import dev.lazyz.DepthTest
-import dev.lazyz.LinearForm
 import dev.lazyz.raster.Edge
 import dev.lazyz.raster.ReferenceTriangle
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.TriangleBatch
+import dev.lazyz.spi.LinearForm
 
 /**
  * One triangle, prepared for drawing into an area of the raster: its edge functions and its depth, as linear forms with

@@ -2,10 +2,10 @@ package dev.lazyz.strategies.tiled.raster
 
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.LinearForm
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.bytes
+import dev.lazyz.spi.LinearForm
 
 /**
  * The visibility keys of one tile, and bounds of them for each block. Belongs to one thread; reused for each tile.

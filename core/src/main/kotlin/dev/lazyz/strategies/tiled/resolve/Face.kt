@@ -1,19 +1,19 @@
 package dev.lazyz.strategies.tiled.resolve
 
-import dev.lazyz.Attributes
-import dev.lazyz.Fragment
-import dev.lazyz.FragmentBatch
-import dev.lazyz.Shader
 import dev.lazyz.raster.Edge
 import dev.lazyz.raster.ScreenGrid
-import dev.lazyz.setup.FaceSetUp
+import dev.lazyz.setup.FaceStage
 import dev.lazyz.setup.PerspectiveWeights
-import dev.lazyz.setup.PlanarAssembly
 import dev.lazyz.setup.PlanarPrimitive
+import dev.lazyz.setup.PrimitiveAssembly
 import dev.lazyz.setup.TextureFootprint
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.shading.MaterialShader
 import dev.lazyz.shading.Vertices
+import dev.lazyz.spi.Attributes
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.FragmentBatch
+import dev.lazyz.spi.Shader
 import dev.lazyz.strategies.tiled.raster.EdgeForms
 
 /**
@@ -63,13 +63,13 @@ internal class Face : EdgeForms() {
     /**
      * Whether the edge functions are exact as doubles at the primitive's samples, at all other samples of a tile that
      * contains some of them, and in the steps between them. The sum of the edge functions is the same everywhere, and
-     * at the primitive's samples none exceeds four times that sum, 2^52: see [PlanarAssembly], which chooses the
+     * at the primitive's samples none exceeds four times that sum, 2^52: see [PrimitiveAssembly], which chooses the
      * triangle of a polygon. A step by a column or row is at most 2^36, and within a tile 2^45: see [ScreenGrid.GUARD].
      */
     val isExact: Boolean get() = e0 + e1 + e2 < EXACT
 
     /** Loads triangle number [triangle] of [batch]; [scratch] is used to compute its colour. */
-    fun fill(batch: TriangleBatch, triangle: Int, faces: FaceSetUp, scratch: Fragment) {
+    fun fill(batch: TriangleBatch, triangle: Int, faces: FaceStage, scratch: Fragment) {
         index = batch.first + triangle
         shader = faces.shader
         fields = faces.fields

@@ -1,12 +1,12 @@
 package dev.lazyz.strategies.tiled.resolve
 
-import dev.lazyz.Fragment
 import dev.lazyz.FrameContent
 import dev.lazyz.HeapLayout
-import dev.lazyz.setup.FaceSetUp
+import dev.lazyz.setup.FaceStage
 import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.Vertices
+import dev.lazyz.spi.Fragment
 
 /**
  * A cache of recently used flat primitives: a primitive is often used again on the next row. Belongs to one thread.
@@ -18,7 +18,7 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
     private val faces = arrayOfNulls<Face>(if (isUsed) FACES else 0)
 
     /** The set-up of the triangles of each batch, created on first use. */
-    private val setUps = arrayOfNulls<FaceSetUp>(content.batches.size)
+    private val setUps = arrayOfNulls<FaceStage>(content.batches.size)
     private var lastBatch = -1
     private val scratch = Fragment()
 
@@ -69,7 +69,7 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
     }
 
     /** Returns the set-up of the triangles of batch [number]. */
-    fun setUp(number: Int): FaceSetUp =
+    fun setUp(number: Int): FaceStage =
         setUps[number] ?: content.triangleBatch(number).faces().also { setUps[number] = it }
 
     private companion object {

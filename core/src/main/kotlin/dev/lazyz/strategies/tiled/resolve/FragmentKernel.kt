@@ -1,10 +1,10 @@
 package dev.lazyz.strategies.tiled.resolve
 
-import dev.lazyz.Attributes
-import dev.lazyz.FragmentBatch
-import dev.lazyz.Srgb
 import dev.lazyz.setup.PerspectiveWeights
 import dev.lazyz.shading.Vertices
+import dev.lazyz.spi.Attributes
+import dev.lazyz.spi.FragmentBatch
+import dev.lazyz.spi.Srgb
 
 /**
  * The loops of [TileShading] that run for every visible sample, except shading itself.

@@ -1,7 +1,7 @@
 package dev.lazyz.strategies.tiled.resolve
 
-import dev.lazyz.FragmentBatch
 import dev.lazyz.bytes
+import dev.lazyz.spi.FragmentBatch
 
 /**
  * The runs of a tile's visible samples, grouped by primitive. A run consists of adjacent samples on a row that show the

@@ -1,11 +1,11 @@
 package dev.lazyz.strategies.tiled.resolve
 
-import dev.lazyz.Attributes
-import dev.lazyz.FragmentBatch
 import dev.lazyz.raster.ScreenGrid
-import dev.lazyz.setup.FaceSetUp
+import dev.lazyz.setup.FaceStage
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.shading.Vertices
+import dev.lazyz.spi.Attributes
+import dev.lazyz.spi.FragmentBatch
 
 /**
  * Attributes of fragments that may each belong to a different triangle. Each step processes all fragments, without any
@@ -35,9 +35,9 @@ internal class ScatteredAttributes {
 
     /**
      * Fills in the attributes of all fragments of [batch]. These belong to the triangles [numbers] of [triangles].
-     * Requires [FaceSetUp.isShared], and no [Attributes.FOOTPRINT].
+     * Requires [FaceStage.isShared], and no [Attributes.FOOTPRINT].
      */
-    fun fill(batch: FragmentBatch, triangles: TriangleBatch, numbers: IntArray, faces: FaceSetUp) {
+    fun fill(batch: FragmentBatch, triangles: TriangleBatch, numbers: IntArray, faces: FaceStage) {
         val fields = faces.fields
         if (fields == 0) return
         val count = batch.size

@@ -4,12 +4,12 @@ import dev.lazyz.Blending
 import dev.lazyz.Checkpoint
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
 import dev.lazyz.bytes
 import dev.lazyz.raster.forEachKey
 import dev.lazyz.raster.sortKeys
+import dev.lazyz.spi.Fragment
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**

@@ -1,18 +1,18 @@
 package dev.lazyz.strategies.tiled.resolve
 
-import dev.lazyz.Attributes
 import dev.lazyz.Checkpoint
-import dev.lazyz.Coherence
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
-import dev.lazyz.Fragment
-import dev.lazyz.FragmentBatch
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
-import dev.lazyz.Shader
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.bytes
 import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.LateShading
+import dev.lazyz.spi.Attributes
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.FragmentBatch
+import dev.lazyz.spi.Shader
 import dev.lazyz.strategies.tiled.binning.Band
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 

@@ -1,8 +1,8 @@
 package dev.lazyz.strategies.tiled.resolve
 
-import dev.lazyz.FragmentBatch
-import dev.lazyz.Srgb
 import dev.lazyz.shading.Vertices
+import dev.lazyz.spi.FragmentBatch
+import dev.lazyz.spi.Srgb
 import jdk.incubator.vector.DoubleVector
 import jdk.incubator.vector.FloatVector
 import jdk.incubator.vector.IntVector

@@ -1,10 +1,10 @@
 package dev.lazyz.strategies.tiled.binning
 
 import com.sun.management.ThreadMXBean
-import dev.lazyz.Coherence
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.RowSink
 import dev.lazyz.SampleScenes
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import java.lang.management.ManagementFactory
@@ -31,7 +31,7 @@ class ArrayPoolTest {
         val mesh = SampleScenes.soup(Random(1), 3000, Material())
         val frame = Scene(listOf(mesh), emptyList(), SampleScenes.camera).frame(3000, 200)
         val sink = RowSink { _, _, _, _ -> }
-        val renderer = Tiled(Coherence.DIRECT, 1, 64)
+        val renderer = TiledRenderer(Coherence.DIRECT, 1, 64)
         val threads = ManagementFactory.getThreadMXBean() as ThreadMXBean
 
         fun allocated(): Long {

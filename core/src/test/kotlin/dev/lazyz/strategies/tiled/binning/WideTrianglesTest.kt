@@ -1,16 +1,16 @@
 package dev.lazyz.strategies.tiled.binning
 
 import dev.lazyz.Checkpoint
-import dev.lazyz.Coherence
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Rgba
 import dev.lazyz.setup.triangleBatch
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
@@ -82,10 +82,10 @@ class WideTrianglesTest {
         for (gap in listOf(0, 1, 2, 3, 4, 5, 100, FAR)) {
             // The last wall is so far behind that the others count as equally near, and keep their order
             val frame = walls(test, gap, 0, 1 shl 29)
-            val expected = ZBuffer().render(frame)
+            val expected = ZBufferRenderer().render(frame)
             if (gap > 0) assertTrue(expected.primitive.all { it == 1 })
             for (tileSize in listOf(4, 16)) {
-                val image = Tiled(Coherence.DIRECT, 1, tileSize).render(frame)
+                val image = TiledRenderer(Coherence.DIRECT, 1, tileSize).render(frame)
                 assertEquals(expected, image) { "gap $gap, tileSize $tileSize" }
             }
         }

@@ -1,22 +1,22 @@
 package dev.lazyz.strategies.tiled.resolve
 
-import dev.lazyz.BatchShader
-import dev.lazyz.Fragment
-import dev.lazyz.FragmentBatch
 import dev.lazyz.Frame
-import dev.lazyz.Spans
 import dev.lazyz.samples
 import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.Vertices
+import dev.lazyz.spi.BatchShader
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.FragmentBatch
+import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.tiled.Kernels
-import dev.lazyz.strategies.zbuffer.ZBuffer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.MipFilter
 import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Mesh
 import java.util.Random
 import org.joml.Vector3d
@@ -38,7 +38,7 @@ class FragmentKernelTest {
                 for (isPerspective in listOf(false, true)) {
                     val mesh = mesh(Random(seed), minified)
                     val frame = Scene(listOf(mesh), emptyList(), camera(isPerspective)).frame(SIDE, SIDE)
-                    assertEquals(SIDE * SIDE, ZBuffer().render(frame).visible)
+                    assertEquals(SIDE * SIDE, ZBufferRenderer().render(frame).visible)
                     val primitive = frame.primitives.single() as PlanarPrimitive
                     val batch = frame.content.triangleBatch(0)
                     val face = Face().apply { fill(batch, 0, batch.faces(), Fragment()) }

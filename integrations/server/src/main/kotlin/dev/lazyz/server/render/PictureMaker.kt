@@ -1,8 +1,7 @@
 package dev.lazyz.server.render
 
-import dev.lazyz.PixelHash
+import dev.lazyz.Image.PixelHash
 import dev.lazyz.RenderOptions
-import dev.lazyz.planning.MemoryItem
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.ImageSize
@@ -16,7 +15,7 @@ import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.VisibleRows
 import dev.lazyz.scenes.writers.PngSink
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import java.util.concurrent.ForkJoinPool
 
 /**
@@ -29,7 +28,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     private val options = RenderOptions(threads = 1)
 
     /** Its needs are upper bounds. */
-    private val renderer = Tiled(options)
+    private val renderer = TiledRenderer(options)
     private val pngBlocks = minOf(2 * ForkJoinPool.getCommonPoolParallelism() + 1, MOST_BLOCKS)
     private val mostDecoded = limits.decodedBytes ?: mostDecoded
 
@@ -73,11 +72,11 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
 
         // The loader's working memory is free now
         val items = listOf(
-            MemoryItem("file", body.size.toLong()),
-            MemoryItem("model", decoded),
-            MemoryItem("set-up", loaded.scene.setUpBytes),
-            MemoryItem("output", outputNeed(request)),
-            MemoryItem("shadows", shadowNeed(request)),
+            RenderPlan.Item("file", body.size.toLong()),
+            RenderPlan.Item("model", decoded),
+            RenderPlan.Item("set-up", loaded.scene.setUpBytes),
+            RenderPlan.Item("output", outputNeed(request)),
+            RenderPlan.Item("shadows", shadowNeed(request)),
         )
         val setUp = items.sumOf { it.bytes }
         if (setUp > memory) grow(setUp)
@@ -116,7 +115,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     }
 
     /** Returns the plan that fits into [memory] bytes, or the one that needs the least. No reserve is part of them. */
-    private fun plan(frame: PictureFrame, memory: Long, items: List<MemoryItem>): RenderPlan =
+    private fun plan(frame: PictureFrame, memory: Long, items: List<RenderPlan.Item>): RenderPlan =
         frame.plan(RenderPlanner(RenderPlan.leastMemory(memory), options), listOf(renderer), items)
 
     /** Returns the limit of decoded data for a model: text and plain numbers become at most so many times larger. */

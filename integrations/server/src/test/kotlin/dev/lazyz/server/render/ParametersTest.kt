@@ -11,7 +11,7 @@ import dev.lazyz.server.Client
 import dev.lazyz.server.RenderServer
 import dev.lazyz.server.ServerConfig
 import dev.lazyz.shared.PictureWords
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import java.net.URLEncoder
 import javax.imageio.ImageIO
 import org.junit.jupiter.api.AfterAll
@@ -34,7 +34,7 @@ class ParametersTest {
         val image = try {
             val settings = PictureDoor.SERVICE.read(usual, words.toList()).also { it.check() }
             val observer = PictureObserver()
-            settings.frame(Scenes.load(model.byteInputStream(), format), observer = observer).render(Tiled())
+            settings.frame(Scenes.load(model.byteInputStream(), format), observer = observer).render(TiledRenderer())
         } catch (e: IllegalArgumentException) {
             assertTrue(answer.statusCode() in listOf(400, 422)) { "$words: ${e.message}" }
             assertTrue(e.message.orEmpty() in text) { "$words: ${e.message}\n$text" }
@@ -65,7 +65,8 @@ class ParametersTest {
 
     @Test
     fun aPictureOfOneColorSaysSo() {
-        val answer = client.post("/render?size=40x30&color=white&light-intensity=0&background=black", WEDGE.toByteArray())
+        val answer =
+            client.post("/render?size=40x30&color=white&light-intensity=0&background=black", WEDGE.toByteArray())
         assertEquals("one_color", answer.headers().firstValue("lazyz-blank").orElse("missing"))
         val usual = client.post("/render?size=40x30", WEDGE.toByteArray())
         assertTrue(usual.headers().firstValue("lazyz-blank").isEmpty)

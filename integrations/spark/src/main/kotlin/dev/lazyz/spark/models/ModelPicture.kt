@@ -7,7 +7,7 @@ import dev.lazyz.scenes.ReferencePolicy
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.pictures.PictureObserver
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import java.io.Serializable
 import java.time.Duration
 import org.apache.spark.SparkEnv
@@ -20,7 +20,7 @@ import org.apache.spark.sql.Row
  */
 internal class ModelPicture(limits: LoadLimits) {
     private val options = RenderOptions(threads = 1)
-    private val renderer: Renderer = Tiled(options)
+    private val renderer: Renderer = TiledRenderer(options)
     private val limits = if (limits.decodedBytes == null) limits.withDecodedBytes(share()) else limits
 
     /**

@@ -18,9 +18,9 @@ import org.apache.spark.sql.SparkSession
  * picture.writePng(Path.of("city.png"))
  * ```
  *
- * Every JVM has the whole scene in memory, and shows a part of it at a time on each of its threads, with `Tiled`. All
- * scenes are possible, also translucent and anti-aliased ones. For scenes larger than the memory of an executor see
- * `TrianglePicture`.
+ * Every JVM has the whole scene in memory, and shows a part of it at a time on each of its threads, with
+ * `TiledRenderer`. All scenes are possible, also translucent and anti-aliased ones. For scenes larger than the memory
+ * of an executor see `TrianglePicture`.
  *
  * If a task fails or an executor is lost, Spark renders its parts again; a part that is rendered twice has the same
  * bits. Thread safe.

@@ -4,7 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.RowSink
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import org.apache.spark.api.java.JavaRDD
 import org.apache.spark.api.java.JavaSparkContext
 import org.apache.spark.api.java.function.Function
@@ -84,7 +84,7 @@ internal class SortFirst(
 
         private fun rendered(region: Region): PixelBlock {
             val block = PixelBlock.Builder(region, planes)
-            val renderer = Tiled(RenderOptions(threads = 1))
+            val renderer = TiledRenderer(RenderOptions(threads = 1))
             return source.value().rendering { picture ->
                 val counters = picture.within(region).render(renderer) { _, argb, depth, primitive ->
                     block.add(argb)

@@ -6,7 +6,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.Mesh
@@ -56,7 +56,7 @@ internal class PartDrawing(
     private val camera: Camera,
 ) {
     private val options = RenderOptions(threads = 1)
-    private val renderer = Tiled(options)
+    private val renderer = TiledRenderer(options)
     private val counters = Counters.Builder()
 
     /** The raster of the whole picture. */

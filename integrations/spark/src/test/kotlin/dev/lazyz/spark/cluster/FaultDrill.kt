@@ -1,6 +1,6 @@
 package dev.lazyz.spark.cluster
 
-import dev.lazyz.PixelHash
+import dev.lazyz.Image.PixelHash
 import dev.lazyz.Raster
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
@@ -17,7 +17,7 @@ import dev.lazyz.spark.pictures.DistributedPicture
 import dev.lazyz.spark.pictures.PictureSource
 import dev.lazyz.spark.triangles.CameraValues
 import dev.lazyz.spark.triangles.TriangleScene
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.Surface
@@ -147,7 +147,7 @@ private class FaultDrill(private val spark: SparkSession, private val folder: Pa
 
     /** [left] parts are there from a driver that was killed. */
     fun anotherDriverContinues(parts: Path, left: Int) {
-        val expected = SlowRows.picture().render(Tiled()).pixelHash()
+        val expected = SlowRows.picture().render(TiledRenderer()).pixelHash()
         val hash = PixelHash()
         FirstDriver.picture(spark, parts).render { _, argb, _, _ -> hash.add(argb, 1600) }
         report("a driver is killed", expected, hash.digest(), "$left parts were finished")
@@ -159,7 +159,7 @@ private class FaultDrill(private val spark: SparkSession, private val folder: Pa
         val camera = CameraValues(Scene(load(clean), viewpoint = Camera.fit()).withUpAxis(UpAxis.Z).camera(800, 600))
         val file = folder.resolve("poisoned.stl").also { it.writeBytes(poisoned(clean.readBytes())) }
         val seen = TriangleScene { Scene(listOf(it), viewpoint = camera.camera()) }
-        val expected = Tiled().render(seen.scene(load(file).single()).frame(800, 600)).pixelHash()
+        val expected = TiledRenderer().render(seen.scene(load(file).single()).frame(800, 600)).pixelHash()
         val triangles = TriangleTable.readStl(spark, "$file", partitionBytes = 100_000)
         for (order in SortOrder.entries) {
             val hash = PixelHash()
@@ -195,7 +195,7 @@ private class FaultDrill(private val spark: SparkSession, private val folder: Pa
 
     fun aKilledExecutorChangesNoPicture() {
         val source = SlowCity(isSlow = false)
-        val expected = source.picture().render(Tiled()).pixelHash()
+        val expected = source.picture().render(TiledRenderer()).pixelHash()
         val hash = PixelHash()
         val details = killing(3000) {
             DistributedPicture(spark, source).render { _, argb, _, _ -> hash.add(argb, 1600) }
@@ -208,7 +208,7 @@ private class FaultDrill(private val spark: SparkSession, private val folder: Pa
         val loaded = Scenes.load(file, LoadOptions(smoothNormals = false)).scene.surfaces.single()
         val camera = CameraValues(SlowTriangles.scene(loaded).camera(1200, 900))
         val seen = TriangleScene { SlowTriangles.scene(it).withViewpoint(camera.camera()) }
-        val expected = Tiled().render(seen.scene(loaded).frame(1200, 900)).pixelHash()
+        val expected = TiledRenderer().render(seen.scene(loaded).frame(1200, 900)).pixelHash()
         val triangles = TriangleTable.readStl(spark, "$file", partitionBytes = 100_000)
         for ((order, shading) in SortWays.all) {
             val hash = PixelHash()
@@ -224,7 +224,7 @@ private class FaultDrill(private val spark: SparkSession, private val folder: Pa
     fun aSlowWorkerIsOvertaken() {
         executors()
         val source = SlowCity(isSlow = true)
-        val expected = SlowCity(false).picture().render(Tiled())
+        val expected = SlowCity(false).picture().render(TiledRenderer())
         val start = System.nanoTime()
         DistributedPicture(spark, source).writeDeepZoom(folder.resolve("slow.dzi"))
         val seconds = (System.nanoTime() - start) / 1_000_000_000

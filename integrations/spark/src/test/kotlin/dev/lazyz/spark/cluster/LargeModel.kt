@@ -1,6 +1,6 @@
 package dev.lazyz.spark.cluster
 
-import dev.lazyz.PixelHash
+import dev.lazyz.Image.PixelHash
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.spark.SortWays
 import dev.lazyz.spark.TrianglePicture
@@ -8,7 +8,7 @@ import dev.lazyz.spark.TriangleTable
 import dev.lazyz.spark.scaling.BumpySphere
 import dev.lazyz.spark.triangles.CameraValues
 import dev.lazyz.spark.triangles.TriangleScene
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.channels.FileChannel
@@ -40,7 +40,7 @@ fun main(arguments: Array<String>) {
         val hash = PixelHash()
         Scenes.stream(file).use { streamed ->
             val scene = seen.scene(streamed.loaded.scene.surfaces.single())
-            Tiled().render(scene.frame(WIDTH, HEIGHT)) { _, argb, _, _ -> hash.add(argb, WIDTH) }
+            TiledRenderer().render(scene.frame(WIDTH, HEIGHT)) { _, argb, _, _ -> hash.add(argb, WIDTH) }
         }
         hash.digest()
     }

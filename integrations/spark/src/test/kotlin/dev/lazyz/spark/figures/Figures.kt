@@ -1,7 +1,7 @@
 package dev.lazyz.spark.figures
 
 import com.sun.management.OperatingSystemMXBean
-import dev.lazyz.PixelHash
+import dev.lazyz.Image.PixelHash
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.filter.SampledFrame
@@ -22,7 +22,7 @@ import dev.lazyz.spark.pictures.DistributedPicture
 import dev.lazyz.spark.pictures.PictureSource
 import dev.lazyz.spark.triangles.CameraValues
 import dev.lazyz.spark.triangles.TriangleScene
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Scene
 import java.lang.management.ManagementFactory
 import java.nio.file.Files
@@ -66,12 +66,12 @@ private val pictures = listOf(
     Picture("teapot", 4, 8000, 6000),
 )
 
-/** The same PNG file by `local[2]` and by `Tiled` with two threads, in turns; the first turn is not counted. */
+/** The same PNG file by `local[2]` and by `TiledRenderer` with two threads, in turns; the first turn is not counted. */
 private fun processorTime() {
     val folder = Files.createTempDirectory("figures")
     for (each in pictures) {
         val frame = each.picture()
-        val renderer = Tiled(RenderOptions(threads = 2))
+        val renderer = TiledRenderer(RenderOptions(threads = 2))
         val picture = DistributedPicture(TestSpark.session, each)
         val spark = ArrayList<Double>()
         val alone = ArrayList<Double>()
@@ -88,7 +88,7 @@ private fun processorTime() {
             }
         }
         check(Files.mismatch(folder.resolve("a.png"), folder.resolve("b.png")) < 0)
-        println("$each: Tiled $alone s, Spark $spark s, ratio ${"%.2f".format(spark.min() / alone.min())}")
+        println("$each: TiledRenderer $alone s, Spark $spark s, ratio ${"%.2f".format(spark.min() / alone.min())}")
     }
     folder.toFile().deleteRecursively()
 }
@@ -103,7 +103,7 @@ private fun moved() {
     for ((width, height) in listOf(1000 to 750, 2000 to 1500)) {
         val camera = CameraValues(fitted.scene(loaded).camera(width, height))
         val scene = TriangleScene { fitted.scene(it).withViewpoint(camera.camera()) }
-        val expected = Tiled().render(scene.scene(loaded).frame(width, height))
+        val expected = TiledRenderer().render(scene.scene(loaded).frame(width, height))
         println("${width}x$height: ${expected.visible} visible, ${expected.counters.primitives} triangles")
         for ((name, table) in listOf("near" to near, "mixed" to mixed)) {
             for ((order, shading) in SortWays.all) {

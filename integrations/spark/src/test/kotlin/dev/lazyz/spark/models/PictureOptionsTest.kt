@@ -11,7 +11,7 @@ import dev.lazyz.shared.PictureWords
 import dev.lazyz.spark.ModelPictures
 import dev.lazyz.spark.Models
 import dev.lazyz.spark.RenderModel
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import org.apache.spark.sql.Row
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
@@ -30,7 +30,7 @@ class PictureOptionsTest {
         val image = try {
             val settings = PictureDoor.SPARK.read(usual, words.toList()).also { it.check() }
             val loaded = Scenes.load(Models.OBJ.toByteArray(), SceneFormat.OBJ, "a.obj")
-            settings.frame(loaded, observer = PictureObserver("a.obj")).render(Tiled())
+            settings.frame(loaded, observer = PictureObserver("a.obj")).render(TiledRenderer())
         } catch (e: IllegalArgumentException) {
             assertEquals(e.message, row.text("error"), "$words")
             return

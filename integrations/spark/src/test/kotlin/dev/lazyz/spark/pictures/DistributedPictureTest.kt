@@ -1,6 +1,6 @@
 package dev.lazyz.spark.pictures
 
-import dev.lazyz.PixelHash
+import dev.lazyz.Image.PixelHash
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
@@ -12,7 +12,7 @@ import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.deepzoom.DeepZoomFiles
 import dev.lazyz.scenes.writers.toPng
 import dev.lazyz.spark.TestSpark
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
@@ -64,7 +64,7 @@ class DistributedPictureTest {
     @ValueSource(ints = [1, 4])
     fun bitsAreThoseOfOneJvm(factor: Int) {
         val source = Builtin("city", 300, 500, factor)
-        val image = source.picture().render(Tiled())
+        val image = source.picture().render(TiledRenderer())
         val picture = DistributedPicture(spark, source)
         assertEquals("300 x 500", "${picture.width} x ${picture.height}")
         val hash = PixelHash()
@@ -92,7 +92,7 @@ class DistributedPictureTest {
     fun filesHaveTheBytesOfOneJvm(@TempDir folder: Path) {
         val source = Builtin("teapot", 200, 150, 2)
         DistributedPicture(spark, source).writePng(folder.resolve("teapot.png"))
-        val image = source.picture().render(Tiled())
+        val image = source.picture().render(TiledRenderer())
         assertArrayEquals(image.toPng(), folder.resolve("teapot.png").readBytes())
         assertEquals(listOf("teapot.png"), folder.listDirectoryEntries().map { it.name })
     }
@@ -107,7 +107,7 @@ class DistributedPictureTest {
         val alpha = if (size == "300x200") AlphaChannel.KEEP else AlphaChannel.DROP
         DistributedPicture(spark, source).writeDeepZoom(folder.resolve("spark.dzi"))
         DeepZoomFiles.write(folder.resolve("one.dzi"), width, height, alpha) {
-            source.picture().render(Tiled(RenderOptions()), it)
+            source.picture().render(TiledRenderer(RenderOptions()), it)
         }
         assertEquals(folder.resolve("one.dzi").readText(), folder.resolve("spark.dzi").readText())
         val names = setOf("one.dzi", "one_files", "spark.dzi", "spark_files")
@@ -154,7 +154,7 @@ class DistributedPictureTest {
     fun anotherDriverContinuesWithTheParts(@TempDir folder: Path) {
         val parts = folder.resolve("parts")
         val facts = mapOf("model" to "star")
-        val expected = Interrupted().picture().render(Tiled()).pixelHash()
+        val expected = Interrupted().picture().render(TiledRenderer()).pixelHash()
         fun picture() = DistributedPicture(spark, Interrupted()).checkpointed(parts, facts)
         Interrupted.failsFrom = 300
         assertThrows(SparkException::class.java) { picture().render { _, _, _, _ -> } }

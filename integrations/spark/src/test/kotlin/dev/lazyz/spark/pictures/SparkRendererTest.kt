@@ -3,10 +3,10 @@ package dev.lazyz.spark.pictures
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.spark.TestSpark
-import dev.lazyz.strategies.lists.Lists
-import dev.lazyz.strategies.zbuffer.ZBuffer
-import dev.lazyz.world.material.AlphaMode
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
@@ -25,7 +25,7 @@ class SparkRendererTest {
     fun builtInScenesAreThoseOfOneJvm(): List<DynamicTest> = Scenes.builtins.map { builtin ->
         dynamicTest(builtin.id) {
             val frame = builtin.scene().frame(160, 200)
-            val expected = (if (frame.hasTranslucency) Lists() else ZBuffer()).render(frame)
+            val expected = (if (frame.hasTranslucency) ListsRenderer() else ZBufferRenderer()).render(frame)
             val image = renderer.render(frame)
             assertEquals(expected, image)
             assertEquals(expected.pixelHash(), image.pixelHash())
@@ -43,7 +43,7 @@ class SparkRendererTest {
         }
         val frame = glass.frame(200, 300)
         check(frame.hasTranslucency)
-        assertEquals(Lists().render(frame), renderer.render(frame))
+        assertEquals(ListsRenderer().render(frame), renderer.render(frame))
     }
 
     @Test

@@ -5,16 +5,16 @@ import dev.lazyz.scenes.gltf.document.ExtensionValues
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.document.MaterialJson
 import dev.lazyz.scenes.gltf.document.TextureInfoJson
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
-import dev.lazyz.world.material.TextureEncoding
+import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 import kotlin.math.round
 
 /**
@@ -57,7 +57,7 @@ internal class GltfMaterials(private val document: GltfDocument) {
         val maps = GltfMaps(document, textures)
         val here = "$where.pbrMetallicRoughness"
         val base = color(pbr?.baseColorFactor, Rgba.WHITE)
-        val baseMap = maps.map(pbr?.baseColorTexture, TextureEncoding.SRGB, "$here.baseColorTexture")
+        val baseMap = maps.map(pbr?.baseColorTexture, Texture.Encoding.SRGB, "$here.baseColorTexture")
         val roughness = pbr?.roughnessFactor ?: 1f
         val metallic = pbr?.metallicFactor ?: 1f
         val shininess = shininess(roughness)
@@ -74,12 +74,13 @@ internal class GltfMaterials(private val document: GltfDocument) {
         ).withTextureMap(baseMap)
         if (isUnlit) return GltfMaterial(plain, maps.texCoordSets)
 
-        val modelMap = maps.map(pbr?.metallicRoughnessTexture, TextureEncoding.LINEAR, "$here.metallicRoughnessTexture")
-        val normalMap = maps.map(json.normalTexture, TextureEncoding.LINEAR, "$where.normalTexture")
+        val modelMap =
+            maps.map(pbr?.metallicRoughnessTexture, Texture.Encoding.LINEAR, "$here.metallicRoughnessTexture")
+        val normalMap = maps.map(json.normalTexture, Texture.Encoding.LINEAR, "$where.normalTexture")
         val normalScale = json.normalTexture?.scale?.takeIf { it.isFinite() } ?: 1f
-        val occlusionMap = maps.map(json.occlusionTexture, TextureEncoding.LINEAR, "$where.occlusionTexture")
+        val occlusionMap = maps.map(json.occlusionTexture, Texture.Encoding.LINEAR, "$where.occlusionTexture")
         val occlusionStrength = json.occlusionTexture?.strength ?: 1f
-        val emissionMap = maps.map(json.emissiveTexture, TextureEncoding.SRGB, "$where.emissiveTexture")
+        val emissionMap = maps.map(json.emissiveTexture, Texture.Encoding.SRGB, "$where.emissiveTexture")
         val material = plain
             .withMetallicRoughness(MetallicRoughness(metallic, roughness, modelMap))
             .withNormalMap(normalMap?.let { NormalMap(it, normalScale) })
@@ -128,7 +129,7 @@ internal class GltfMaps(private val document: GltfDocument, private val textures
     val texCoordSets: List<Int> get() = sets.ifEmpty { listOf(0) }
 
     /** Returns the map that [info] describes, or null if there is none. [where] is its place in the file. */
-    fun map(info: TextureInfoJson?, encoding: TextureEncoding, where: String): TextureMap? {
+    fun map(info: TextureInfoJson?, encoding: Texture.Encoding, where: String): TextureMap? {
         if (info == null) return null
         val extension = info.extension("KHR_texture_transform")
         val set = (extension?.get("texCoord") as? Number)?.toInt() ?: info.texCoord ?: 0

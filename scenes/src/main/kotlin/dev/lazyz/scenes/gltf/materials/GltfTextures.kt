@@ -6,9 +6,6 @@ import dev.lazyz.scenes.gltf.document.SamplerJson
 import dev.lazyz.scenes.gltf.document.TextureJson
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureFilter
-import dev.lazyz.world.material.TextureWrap
 
 /**
  * Textures (section 3.8): images in buffer views, data URIs and files, with their samplers. Each image is decoded once.
@@ -23,13 +20,13 @@ internal class GltfTextures(private val document: GltfDocument) {
      */
     private val images = HashMap<Any, Texture?>()
     private val undecoded = HashSet<Int>()
-    private val textures = HashMap<Pair<Int?, TextureEncoding>, Texture?>()
+    private val textures = HashMap<Pair<Int?, Texture.Encoding>, Texture?>()
 
     /**
      * Returns the texture with number [index], whose codes mean what [encoding] says. [where] is the place that refers
      * to it.
      */
-    fun texture(index: Int?, encoding: TextureEncoding, where: String): Texture? =
+    fun texture(index: Int?, encoding: Texture.Encoding, where: String): Texture? =
         textures.getOrPut(index to encoding) { read(index, where)?.withEncoding(encoding) }
 
     private fun read(index: Int?, where: String): Texture? {
@@ -41,7 +38,7 @@ internal class GltfTextures(private val document: GltfDocument) {
         val sampler = document.element(document.json.samplers, texture.sampler, "samplers", "textures[$index].sampler")
         val isNearest = sampler.magFilter == SamplerJson.NEAREST
         return decoded.withSampling(
-            if (isNearest) TextureFilter.NEAREST else TextureFilter.BILINEAR,
+            if (isNearest) Texture.Filter.NEAREST else Texture.Filter.BILINEAR,
             wrap(sampler.wrapS),
             wrap(sampler.wrapT),
         )
@@ -64,10 +61,10 @@ internal class GltfTextures(private val document: GltfDocument) {
         return null
     }
 
-    private fun wrap(wrap: Int?): TextureWrap = when (wrap) {
-        SamplerJson.CLAMP_TO_EDGE -> TextureWrap.CLAMP
-        SamplerJson.MIRRORED_REPEAT -> TextureWrap.MIRROR
-        else -> TextureWrap.REPEAT
+    private fun wrap(wrap: Int?): Texture.Wrap = when (wrap) {
+        SamplerJson.CLAMP_TO_EDGE -> Texture.Wrap.CLAMP
+        SamplerJson.MIRRORED_REPEAT -> Texture.Wrap.MIRROR
+        else -> Texture.Wrap.REPEAT
     }
 
     private fun decode(image: ImageJson, index: Int): Texture? {

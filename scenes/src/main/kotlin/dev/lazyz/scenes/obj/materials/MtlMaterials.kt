@@ -5,10 +5,10 @@ import de.javagl.obj.Mtl
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.images.HeightNormals
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.Shading
 import java.nio.file.Path
 
 /**

@@ -7,11 +7,8 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.Texture
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureFilter
 import dev.lazyz.world.material.TextureMap
-import dev.lazyz.world.material.TextureWrap
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.TextureMap.UvTransform
 import java.nio.file.Path
 
 /**
@@ -28,7 +25,7 @@ internal class MtlTextures(private val source: Source, private val folders: List
         val texture = textures.getOrPut(map.file) { TextureFiles.find(source, name(map.file), folders) }
         if (!map.isClamped) return texture
         return made.getOrPut(listOf("clamped", map.file)) {
-            texture?.withSampling(TextureFilter.BILINEAR, TextureWrap.CLAMP, TextureWrap.CLAMP)
+            texture?.withSampling(Texture.Filter.BILINEAR, Texture.Wrap.CLAMP, Texture.Wrap.CLAMP)
         }
     }
 
@@ -70,7 +67,7 @@ internal class MtlTextures(private val source: Source, private val folders: List
     }
 
     private fun linear(texture: Texture): Texture =
-        checkNotNull(made.getOrPut(listOf("linear", texture)) { texture.withEncoding(TextureEncoding.LINEAR) })
+        checkNotNull(made.getOrPut(listOf("linear", texture)) { texture.withEncoding(Texture.Encoding.LINEAR) })
 
     /** Returns what leads from coordinates to which the options of [base] are applied to those of [map]; v downward. */
     private fun transform(map: MtlMap, base: MtlMap?): UvTransform {

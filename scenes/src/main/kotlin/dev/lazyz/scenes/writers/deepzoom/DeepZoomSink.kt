@@ -96,10 +96,10 @@ constructor(
 
     public companion object {
         /** Width and height of a tile without what it shares with its neighbours, in pixels. */
-        public const val TILE_SIZE: Int = TileGrid.TILE
+        public const val TILE_SIZE: Int = LevelTiles.TILE
 
         /** Width of what a tile shows of each of its neighbours, in pixels. */
-        public const val OVERLAP: Int = TileGrid.OVERLAP
+        public const val OVERLAP: Int = LevelTiles.OVERLAP
 
         private const val OPAQUE = 0xFF shl 24
 
@@ -123,7 +123,7 @@ constructor(
 
         /** Returns how many bytes a sink holds in addition while it reads the tiles of an interrupted rendering. */
         @JvmStatic
-        public fun resumingMemory(width: Int): Long = READER_BYTES * TileGrid(width).tiles
+        public fun resumingMemory(width: Int): Long = READER_BYTES * LevelTiles(width).tiles
     }
 }
 
@@ -137,8 +137,8 @@ internal class FinishedTiles(
     height: Int,
     private val alpha: AlphaChannel,
 ) {
-    private val across = TileGrid(width)
-    private val down = TileGrid(height)
+    private val across = LevelTiles(width)
+    private val down = LevelTiles(height)
     private val tileRows = (0 until down.tiles).takeWhile { row -> row < down.tiles - 1 && isComplete(row) }
 
     /** Number of rows. */
@@ -153,7 +153,7 @@ internal class FinishedTiles(
      */
     fun forEach(take: (IntArray) -> Unit) {
         val argb = IntArray(width)
-        val part = IntArray(TileGrid.TILE + 2 * TileGrid.OVERLAP)
+        val part = IntArray(LevelTiles.TILE + 2 * LevelTiles.OVERLAP)
         for (tileRow in tileRows) {
             val tiles = List(across.tiles) { column ->
                 val size = across.end(column) - across.start(column)

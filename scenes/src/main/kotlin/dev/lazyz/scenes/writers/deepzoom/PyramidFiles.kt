@@ -80,7 +80,7 @@ internal class PyramidFiles(private val descriptor: Path) {
         """
         |<?xml version="1.0" encoding="UTF-8"?>
         |<Image xmlns="http://schemas.microsoft.com/deepzoom/2008" Format="png"
-        |  Overlap="${TileGrid.OVERLAP}" TileSize="${TileGrid.TILE}">
+        |  Overlap="${LevelTiles.OVERLAP}" TileSize="${LevelTiles.TILE}">
         |  <Size Width="$width" Height="$height"/>
         |</Image>
         |
@@ -107,7 +107,7 @@ internal class PyramidFiles(private val descriptor: Path) {
  *
  * @property size number of columns or rows of the level
  */
-internal class TileGrid(private val size: Int) {
+internal class LevelTiles(private val size: Int) {
     /** Number of tiles. */
     val tiles: Int = (size + TILE - 1) / TILE
 

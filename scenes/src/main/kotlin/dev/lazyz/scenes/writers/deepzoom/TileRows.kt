@@ -21,8 +21,8 @@ internal class TileRows(
     private val height: Int,
     private val alpha: AlphaChannel,
 ) {
-    private val across = TileGrid(width)
-    private val down = TileGrid(height)
+    private val across = LevelTiles(width)
+    private val down = LevelTiles(height)
     private val rowsOfBlock = rowsOfBlock(width)
 
     /** The row above, and then the rows that are not written. */
@@ -94,18 +94,18 @@ internal class TileRows(
         /** 4 MiB a level: so small that all levels fit into little memory, so large that tiles compress well. */
         private const val BLOCK_PIXELS = 1 shl 20
 
-        private const val LAST_ROWS = 2 * TileGrid.OVERLAP
+        private const val LAST_ROWS = 2 * LevelTiles.OVERLAP
 
         /** The state of a tile that is being written. */
         private const val TILE_BYTES = 512L
 
         private fun rowsOfBlock(width: Int): Int =
-            (BLOCK_PIXELS / width).coerceIn(1, TileGrid.TILE + 2 * TileGrid.OVERLAP)
+            (BLOCK_PIXELS / width).coerceIn(1, LevelTiles.TILE + 2 * LevelTiles.OVERLAP)
 
         /** Bytes held for a level, without those of threads that compress tiles. */
         fun bytes(width: Int, height: Int): Long {
             val rows = 1L + minOf(rowsOfBlock(width), height) + minOf(LAST_ROWS, height)
-            return Int.SIZE_BYTES * rows * width + TILE_BYTES * TileGrid(width).tiles
+            return Int.SIZE_BYTES * rows * width + TILE_BYTES * LevelTiles(width).tiles
         }
 
         /** Returns the file of the tile in [column] and [row] of the level that is in [folder]. */

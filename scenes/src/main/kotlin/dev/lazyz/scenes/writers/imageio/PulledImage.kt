@@ -30,8 +30,8 @@ import java.util.Vector
  * Its tiles are bands of whole rows, of about 4 million pixels. A band is rendered when a pixel of it is read, and kept
  * until another one is. So readers that go from the top to the bottom, such as the writers of `javax.imageio`, have
  * each band rendered once; others work, but may take long. Memory: the band, at 4 bytes a pixel, and that of the
- * renderer. Use a renderer with constant memory, such as `Tiled`. Time: that of the rendering, and the set-up of the
- * renderer for each band, which goes through all primitives.
+ * renderer. Use a renderer with constant memory, such as `TiledRenderer`. Time: that of the rendering, and the set-up
+ * of the renderer for each band, which goes through all primitives.
  *
  * The pixel at column 0 and row 0 is the first one of the frame's region. Pixels are as in
  * [BufferedImage.TYPE_INT_ARGB], or, if the background is opaque, as in [BufferedImage.TYPE_INT_RGB], which has no

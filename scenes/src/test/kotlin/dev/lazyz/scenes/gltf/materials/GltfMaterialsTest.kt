@@ -9,15 +9,13 @@ import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
-import dev.lazyz.world.material.AlphaMode
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
+import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.Shading
-import dev.lazyz.world.material.Sides
-import dev.lazyz.world.material.TextureEncoding
-import dev.lazyz.world.material.TextureFilter
-import dev.lazyz.world.material.TextureWrap
-import dev.lazyz.world.material.UvTransform
+import dev.lazyz.world.material.Texture
+import dev.lazyz.world.material.TextureMap.UvTransform
 import dev.lazyz.world.surface.Mesh
 import java.nio.file.Files
 import java.nio.file.Path
@@ -152,11 +150,11 @@ class GltfMaterialsTest {
         val rest = """"occlusionTexture":{"index":0,"strength":0.25},"emissiveTexture":{"index":0}"""
         val (material, source) = read("""{$pbr,$normal,$rest,"emissiveFactor":[1,0.5,0]}""", image)
         assertEquals(emptyList<String>(), source.warnings)
-        assertEquals(TextureEncoding.SRGB, material.texture?.encoding)
-        assertEquals(TextureEncoding.LINEAR, material.metallicRoughness?.map?.texture?.encoding)
-        assertEquals(TextureEncoding.LINEAR, material.normalMap?.map?.texture?.encoding)
-        assertEquals(TextureEncoding.LINEAR, material.occlusionMap?.map?.texture?.encoding)
-        assertEquals(TextureEncoding.SRGB, material.emissionMap?.texture?.encoding)
+        assertEquals(Texture.Encoding.SRGB, material.texture?.encoding)
+        assertEquals(Texture.Encoding.LINEAR, material.metallicRoughness?.map?.texture?.encoding)
+        assertEquals(Texture.Encoding.LINEAR, material.normalMap?.map?.texture?.encoding)
+        assertEquals(Texture.Encoding.LINEAR, material.occlusionMap?.map?.texture?.encoding)
+        assertEquals(Texture.Encoding.SRGB, material.emissionMap?.texture?.encoding)
         assertEquals(0.5f to 0.25f, material.normalMap?.scale to material.occlusionMap?.strength)
         assertEquals(Rgba(1f, 0.5f, 0f), material.emission)
     }
@@ -264,11 +262,11 @@ class GltfMaterialsTest {
             assertNotNull(texture)
             return listOf(texture!!.filter, texture.wrapU, texture.wrapV)
         }
-        assertEquals(listOf(TextureFilter.BILINEAR, TextureWrap.REPEAT, TextureWrap.REPEAT), sampled("{}"))
+        assertEquals(listOf(Texture.Filter.BILINEAR, Texture.Wrap.REPEAT, Texture.Wrap.REPEAT), sampled("{}"))
         val nearest = sampled("""{"magFilter":9728,"wrapS":33071}""")
-        assertEquals(listOf(TextureFilter.NEAREST, TextureWrap.CLAMP, TextureWrap.REPEAT), nearest)
+        assertEquals(listOf(Texture.Filter.NEAREST, Texture.Wrap.CLAMP, Texture.Wrap.REPEAT), nearest)
         val mirrored = sampled("""{"magFilter":9729,"wrapS":33648,"wrapT":33071}""")
-        assertEquals(listOf(TextureFilter.BILINEAR, TextureWrap.MIRROR, TextureWrap.CLAMP), mirrored)
+        assertEquals(listOf(Texture.Filter.BILINEAR, Texture.Wrap.MIRROR, Texture.Wrap.CLAMP), mirrored)
     }
 
     @Test

@@ -10,8 +10,8 @@ import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.corners
 import dev.lazyz.scenes.loading.meshes
-import dev.lazyz.world.material.AlphaMode
-import dev.lazyz.world.material.Sides
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Sides
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.util.Base64

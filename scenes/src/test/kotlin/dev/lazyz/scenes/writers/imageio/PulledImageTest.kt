@@ -10,7 +10,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.scenes.ChildJava
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.writers.toBufferedImage
-import dev.lazyz.strategies.tiled.Tiled
+import dev.lazyz.strategies.tiled.TiledRenderer
 import java.awt.Rectangle
 import java.awt.image.BufferedImage
 import java.io.ByteArrayInputStream
@@ -42,10 +42,10 @@ class PulledImageTest {
     fun writersOfJavaWriteThePicture() {
         for (background in listOf(Rgba.WHITE, Rgba.TRANSPARENT)) {
             val frame = teapot.frame(Samples(300, 200, background = background))
-            val expected = Tiled().render(frame).toBufferedImage()
+            val expected = TiledRenderer().render(frame).toBufferedImage()
             for (format in listOf("png", "tiff")) {
                 val bytes = ByteArrayOutputStream()
-                assertTrue(ImageIO.write(PulledImage.of(Tiled(), frame), format, bytes))
+                assertTrue(ImageIO.write(PulledImage.of(TiledRenderer(), frame), format, bytes))
                 assertArrayEquals(argb(expected), argb(ImageIO.read(ByteArrayInputStream(bytes.toByteArray()))), format)
             }
         }
@@ -57,14 +57,14 @@ class PulledImageTest {
     fun partsOfAWidePicture() {
         val region = Region(1000, 300, 101_000, 400)
         val frame = teapot.frame(Samples(102_000, 800)).within(region)
-        val image = PulledImage.of(Tiled(), frame)
+        val image = PulledImage.of(TiledRenderer(), frame)
         assertEquals(3, image.numYTiles)
         for (rows in listOf(0..0, 40..40, 41..41, 30..90, 82..99)) {
             val rect = Rectangle(45_000, rows.first, 9_000, rows.count())
             val data = image.getData(rect)
             assertEquals(rect, data.bounds)
             val part = Region(46_000, 300 + rows.first, 55_000, 301 + rows.last)
-            val expected = Tiled().render(frame.within(part)).argb
+            val expected = TiledRenderer().render(frame.within(part)).argb
             val actual = data.getDataElements(rect.x, rect.y, rect.width, rect.height, null) as IntArray
 
             // There is no alpha
@@ -78,7 +78,7 @@ class PulledImageTest {
         val frame = teapot.frame(90, 60)
         for (read in listOf<(PulledImage) -> Unit>({ it.data }, { it.getTile(0, 0) }, { it.copyData(null) })) {
             Thread.currentThread().interrupt()
-            val e = assertThrows<UncheckedIOException> { read(PulledImage.of(Tiled(), frame)) }
+            val e = assertThrows<UncheckedIOException> { read(PulledImage.of(TiledRenderer(), frame)) }
             assertEquals(InterruptedIOException::class.java, e.cause!!.javaClass)
             assertTrue(Thread.interrupted(), "the status is set")
         }
@@ -112,7 +112,7 @@ internal object WriteInChild {
     @JvmStatic
     fun main(args: Array<String>) {
         val scene = Scenes.builtins.first { it.id == "teapot" }.scene()
-        ImageIO.write(PulledImage.of(Tiled(), scene.frame(6000, 6000)), args[1], Path.of(args[0]).toFile())
+        ImageIO.write(PulledImage.of(TiledRenderer(), scene.frame(6000, 6000)), args[1], Path.of(args[0]).toFile())
         println("written")
     }
 }

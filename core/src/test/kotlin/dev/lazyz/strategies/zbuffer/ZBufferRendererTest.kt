@@ -1,0 +1,115 @@
+package dev.lazyz.strategies.zbuffer
+
+import dev.lazyz.Capability
+import dev.lazyz.Counters
+import dev.lazyz.Frame
+import dev.lazyz.Image
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
+import dev.lazyz.SampleScenes
+import dev.lazyz.render
+import dev.lazyz.samples
+import dev.lazyz.setup.FrameBuilder
+import java.util.Random
+import kotlinx.coroutines.flow.asFlow
+import kotlinx.coroutines.flow.flow
+import kotlinx.coroutines.runBlocking
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Contract rule 8 for the z-buffer, and its additional promises. */
+class ZBufferRendererTest {
+    private fun frames(): List<Frame> {
+        val random = Random(11)
+        return List(15) { SampleScenes.mixed(random).frame(24, 18) } +
+            List(15) { SampleScenes.drawn(random, Raster(20, 20), 12) }
+    }
+
+    @Test
+    fun itSaysWhatItIs() {
+        val renderer = ZBufferRenderer()
+        assertEquals("zbuffer", renderer.id)
+        assertEquals("ZBufferRenderer()", renderer.toString())
+        assertEquals(setOf(Capability.STREAMS_PRIMITIVES), renderer.capabilities)
+        assertTrue("one primitive at a time" in renderer.summary)
+    }
+
+    @Test
+    fun rule_8_1_countersMeanWhatTheyMean() {
+        for (frame in frames()) {
+            val image = ZBufferRenderer().render(frame)
+            val counters = image.counters
+            val fragments = frame.primitives.sumOf { it.samples(frame.raster).size.toLong() }
+            assertEquals(frame.primitives.size.toLong(), counters.primitives)
+            assertEquals(fragments, counters.fragments)
+            assertEquals(fragments, counters.depthEvaluations)
+            assertEquals(counters.depthPasses, counters.shadingCalls)
+            assertEquals(12L * frame.width * frame.height, counters.peakBytes)
+            assertEquals(0, counters.shadingSteps)
+            assertEquals(0, counters.peakSuspensions)
+        }
+    }
+
+    @Test
+    fun rule_8_2_shadingCallsAreAtLeastTheVisibleSamples() {
+        for (frame in frames()) {
+            val image = ZBufferRenderer().render(frame)
+            assertTrue(image.counters.shadingCalls >= image.visible)
+        }
+    }
+
+    @Test
+    fun rule_8_1_backToFrontShadesAllAndFrontToBackTheVisible() {
+        val square = { depth: Double ->
+            doubleArrayOf(0.0, 0.0, depth, 4.0, 0.0, depth, 4.0, 4.0, depth, 0.0, 4.0, depth)
+        }
+        fun counters(vararg depths: Double): Counters {
+            val builder = FrameBuilder(Raster(4, 4))
+            for (depth in depths) builder.polygon(Rgba.BLACK, square(depth))
+            return ZBufferRenderer().render(builder.build()).counters
+        }
+        assertEquals(48, counters(0.9, 0.5, 0.1).shadingCalls)
+        assertEquals(16, counters(0.1, 0.5, 0.9).shadingCalls)
+        assertEquals(48, counters(0.1, 0.5, 0.9).fragments)
+    }
+
+    @Test
+    fun aFlowGivesWhatAListGives() {
+        for (frame in frames()) {
+            val collector = Image.Collector(frame.raster.region)
+            val counters = runBlocking { ZBufferRenderer().render(frame.raster, frame.primitives.asFlow(), collector) }
+            val image = ZBufferRenderer().render(frame)
+            assertEquals(image, collector.toImage(counters))
+            assertEquals(image.counters.toString(), counters.toString())
+        }
+    }
+
+    @Test
+    fun aFailingFlowHandsOutNoRows() {
+        val failing = flow<Primitive> { error("torn") }
+        var rows = 0
+        val exception = assertThrows(IllegalStateException::class.java) {
+            runBlocking { ZBufferRenderer().render(Raster(4, 4), failing) { _, _, _, _ -> rows++ } }
+        }
+        assertEquals("torn", exception.message)
+        assertEquals(0, rows)
+    }
+
+    @Test
+    fun rule_7_2_aPictureOfEverythingIsTheSameOnEveryMachine() {
+        // The scene has its own camera and lights; the hash changes only with the contract
+        val image = ZBufferRenderer().render(SampleScenes.mixed(Random(1995)).frame(96, 72))
+        assertEquals("ba4ca7ba2667a09fff57ddc49df7c4e3cf4c776075fa7b0b0d536728e7ee6078", image.pixelHash())
+    }
+
+    @Test
+    fun tooManySamplesAreRefused() {
+        val exception = assertThrows(IllegalArgumentException::class.java) {
+            ZBufferRenderer().render(Frame(Raster(Raster.MAX_SIDE, Raster.MAX_SIDE), emptyList())) { _, _, _, _ -> }
+        }
+        assertTrue(exception.message!!.contains("68719476736"))
+    }
+}
