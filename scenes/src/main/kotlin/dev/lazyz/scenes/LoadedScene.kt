@@ -25,6 +25,7 @@ import java.nio.file.Path
  * @property files the files that the scene refers to, such as textures and material libraries, as absolute paths in the
  *   order in which they were found, each once; also those that could not be decoded. Without the file itself
  * @property format the format that was read, or null if the scene does not come from a file
+ * @property picture what a scene file says about a picture of it: names of `PictureParameters`, each with its words
  */
 public class LoadedScene @JvmOverloads constructor(
     public val scene: Scene,
@@ -35,6 +36,7 @@ public class LoadedScene @JvmOverloads constructor(
     public val lightRig: LightRig? = null,
     public val files: List<Path> = emptyList(),
     public val format: SceneFormat? = null,
+    public val picture: Map<String, List<String>> = emptyMap(),
 ) {
     /** Whether this is a model: not a scene file, whose author chose camera and light. */
     public val isModel: Boolean get() = format != null && format != SceneFormat.SCENE
@@ -72,7 +74,7 @@ public class LoadedScene @JvmOverloads constructor(
 
     /** Returns this input with another scene. */
     public fun withScene(scene: Scene): LoadedScene =
-        LoadedScene(scene, warnings, size, depth, cameras, lightRig, files, format)
+        LoadedScene(scene, warnings, size, depth, cameras, lightRig, files, format, picture)
 
     override fun toString(): String = "LoadedScene($scene, ${warnings.size} warnings, size $size)"
 }

@@ -58,6 +58,17 @@ internal class JsonNode(private val source: Source, val path: String, private va
         return element
     }
 
+    /** Returns text as it is, or a number, true or false as words. */
+    fun word(): String = when (element) {
+        is String -> element
+        is JsonNumber -> element.text
+        is Boolean -> "$element"
+        else -> wrongType("text in quotes, a number, true or false")
+    }
+
+    /** Returns the items of a list, or this node alone if it is none. */
+    fun itemsOrSelf(): List<JsonNode> = if (element is List<*>) items() else listOf(this)
+
     /** Returns the enum constant for this text, which must be one of the [names]. */
     fun <T> choice(names: Map<String, T>): T {
         val text = text()

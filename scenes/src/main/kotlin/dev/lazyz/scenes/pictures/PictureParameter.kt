@@ -54,6 +54,9 @@ public enum class PictureDoor {
 
     /** The words `name=value` of `ModelPictures` for Apache Spark. */
     SPARK,
+
+    /** The object `picture` of a scene file. */
+    SCENE_FILE,
     ;
 
     /** The parameters that this door has, in the order of the table. */

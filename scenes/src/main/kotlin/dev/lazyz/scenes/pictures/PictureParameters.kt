@@ -46,6 +46,7 @@ public object PictureParameters {
     public val FORMAT: PictureParameter<SceneFormat> = row(
         "format", NamedValues("FORMAT", SceneFormat.entries.associateBy { it.id }),
         "Format of INPUT: ${list(SceneFormat.entries.map { it.id })}", "by its extension",
+        file = "is a scene",
     )
 
     /** The axis of the model that points up. */
@@ -54,6 +55,7 @@ public object PictureParameters {
         "up", NamedValues("AXIS", UpAxis.entries.associateBy { it.id }),
         "Which axis of the model points up: ${list(UpAxis.entries.map { it.id })}",
         "z for .stl and .3mf, otherwise y",
+        file = "has `up`",
     )
 
     /** A moment of the animation, seconds. */
@@ -61,6 +63,7 @@ public object PictureParameters {
     public val ANIMATION_TIME: PictureParameter<Double> = row(
         "animation-time", range("SECONDS", 0.0, 1e6, " seconds"),
         "Show the model at this moment of its first animation (glTF), 0..1000000", "at rest",
+        file = "has no animation",
     )
 
     init {
@@ -72,6 +75,7 @@ public object PictureParameters {
     public val SIZE: PictureParameter<ImageSize> = row(
         "size", SizeValues(), "Width and height in pixels, each 1..262144, or one number for a square",
         "the scene file's, or 640x480",
+        file = "has `size`",
     )
 
     /** The part of the picture that is rendered. */
@@ -80,6 +84,7 @@ public object PictureParameters {
         "region", RegionValues(),
         "Render only this part of the picture, with the same pixels: column and row of its upper left pixel, " +
             "from 0,0; width and height",
+        file = "whoever renders decides",
     )
 
     /** Samples a pixel in each direction. */
@@ -87,6 +92,7 @@ public object PictureParameters {
     public val AA: PictureParameter<Int> = row(
         "aa", NamedValues("N", listOf(1, 2, 4, 8).associateBy { "$it" }),
         "Anti-aliasing: N x N samples a pixel, N is 1, 2, 4 or 8", "4",
+        file = "whoever renders decides",
     )
 
     /** How samples are weighted. */
@@ -94,6 +100,7 @@ public object PictureParameters {
     public val AA_FILTER: PictureParameter<PixelFilter> = row(
         "aa-filter", named("FILTER", PixelFilter.entries),
         "How samples are weighted: ${list(words(PixelFilter.entries).keys)}", "box",
+        file = "whoever renders decides",
     )
 
     /** How often a primitive is shaded. */
@@ -102,6 +109,7 @@ public object PictureParameters {
         "shading-rate", named("RATE", ShadingRate.entries),
         "Shade at every visible sample, or once for each primitive in a pixel, for expensive shaders: sample or pixel",
         "sample, or pixel with --ambient-occlusion if that is possible",
+        file = "whoever renders decides",
     )
 
     /** What is behind the surfaces. */
@@ -125,6 +133,7 @@ public object PictureParameters {
         "Replace the colours and textures of all surfaces by this image, which --color multiplies; the model " +
             "needs texture coordinates",
         missing = files,
+        file = "has `materials`",
     )
 
     /** The shading of all materials. */
@@ -166,6 +175,7 @@ public object PictureParameters {
             mapOf("smaller" to DepthConvention.SMALLER_IS_NEARER, "larger" to DepthConvention.LARGER_IS_NEARER),
         ),
         "Which depth is nearer: smaller or larger; the picture is the same", "the scene file's, or smaller",
+        file = "has `depth`",
     )
 
     /** Defaults for whole pictures. */
@@ -186,6 +196,7 @@ public object PictureParameters {
     public val LIGHT: PictureParameter<LightRig> = row(
         "light", named("LIGHT", LightRig.entries),
         "Replace the lights of the scene: ${list(words(LightRig.entries).keys)}", "the scene's, or studio",
+        file = "has `lights`",
     )
 
     /** The factor of all light. */
@@ -193,6 +204,7 @@ public object PictureParameters {
     public val LIGHT_INTENSITY: PictureParameter<Double> = row(
         "light-intensity", range("FACTOR", 0.0, 1000.0, ""), "Multiply all light, 0..1000",
         "the scene file's, or 1, or up to 3 for models with dark materials and no lights",
+        file = "has `lightIntensity`",
     )
 
     /** Whether surfaces occlude ambient light. */
@@ -213,6 +225,7 @@ public object PictureParameters {
         "matcap", FileValues(),
         "Colour all surfaces like this picture of a lit sphere, which --color multiplies",
         missing = files,
+        file = "has `materials`",
     )
 
     /** How bright light is compressed. */
@@ -221,6 +234,7 @@ public object PictureParameters {
         "tone-map", named("CURVE", ToneMapping.Curve.entries),
         "How bright light is compressed: ${list(words(ToneMapping.Curve.entries).keys)}",
         "the scene file's, neutral for scenes with metallic-roughness materials, or none",
+        file = "has `toneMapping`",
     )
 
     /** Brightness, stops. */
@@ -228,6 +242,7 @@ public object PictureParameters {
     public val EXPOSURE: PictureParameter<Double> = row(
         "exposure", range("EV", -ToneMapping.MAX_EXPOSURE, ToneMapping.MAX_EXPOSURE, " stops"),
         "Brighten by this number of stops, -20..20: 1 doubles the light", "the scene file's, or 0",
+        file = "has `toneMapping`",
     )
 
     init {
@@ -408,7 +423,11 @@ public object PictureParameters {
         help: String,
         default: String? = null,
         missing: Map<PictureDoor, String> = emptyMap(),
-    ): PictureParameter<T> = PictureParameter(name, group, values, help, default, missing).also { rows.add(it) }
+        file: String? = if (group == ParameterGroup.CAMERA) "has `camera`" else null,
+    ): PictureParameter<T> {
+        val all = if (file == null) missing else missing + (PictureDoor.SCENE_FILE to file)
+        return PictureParameter(name, group, values, help, default, all).also { rows.add(it) }
+    }
 
     private fun range(form: String, least: Double, most: Double, unit: String) = RangeValues(form, least..most, unit)
 

@@ -110,6 +110,21 @@ public class PictureSettings private constructor(
     /** Returns these settings with another camera or rule, or with that of the file. */
     public fun withViewpoint(viewpoint: Viewpoint?): PictureSettings = copy(viewpoint = viewpoint)
 
+    /**
+     * Returns these settings with what the [words] of a scene file choose, unless these settings choose it, too. If
+     * both exclude each other, those of the file do not count.
+     */
+    internal fun withFile(words: Map<String, List<String>>): PictureSettings {
+        if (words.isEmpty()) return this
+        val pairs = words.flatMap { (name, values) -> values.map { name to it } }
+        val both = copy(given = PictureDoor.SCENE_FILE.read(PictureSettings(), pairs).given + given)
+        return try {
+            both.apply { check() }
+        } catch (_: NoPictureException) {
+            this
+        }
+    }
+
     /** Returns these settings with messages in which the [names] of parameters have another form. */
     public fun withNames(names: ParameterNames): PictureSettings = copy(names = names)
 

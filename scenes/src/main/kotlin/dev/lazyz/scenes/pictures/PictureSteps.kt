@@ -38,13 +38,14 @@ import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
 import java.nio.file.Path
 
-/** The steps from [loaded] to a picture with [settings], see [PictureSettings]. Uses the threads of [options]. */
+/** The steps from [loaded] to a picture with the [chosen] settings, see [PictureSettings], by threads of [options]. */
 internal class PictureSteps(
-    private val settings: PictureSettings,
+    chosen: PictureSettings,
     private val loaded: LoadedScene,
     private val options: RenderOptions,
     private val observer: PictureObserver,
 ) {
+    private val settings = chosen.withFile(loaded.picture)
     private val names = settings.names
     private val style = settings[PictureParameters.STYLE]
     private val isTechnical = style == PictureStyle.TECHNICAL

@@ -11,6 +11,8 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.json.JsonText
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.pictures.PictureDoor
+import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 
@@ -26,7 +28,7 @@ internal class SceneFileReader(private val source: Source) {
         val members =
             root.members(
                 "lazyz", "size", "up", "background", "depth", "camera", "lights", "environment",
-                "lightIntensity", "toneMapping", "materials", "surfaces",
+                "lightIntensity", "toneMapping", "picture", "materials", "surfaces",
             )
 
         // Read what surfaces and lights depend on first
@@ -52,6 +54,7 @@ internal class SceneFileReader(private val source: Source) {
         return LoadedScene(
             whole, source.warnings, size, depth,
             lightRig = rig, files = source.files, format = SceneFormat.SCENE,
+            picture = members["picture"]?.let(::picture).orEmpty(),
         )
     }
 
@@ -85,9 +88,29 @@ internal class SceneFileReader(private val source: Source) {
         }
     }
 
+    /** Returns the words about a picture, which mean something. */
+    private fun picture(node: JsonNode): Map<String, List<String>> {
+        val words = node.named().mapValues { (_, value) -> value.itemsOrSelf() }
+        var settings = PictureSettings()
+        for ((name, values) in words) {
+            for (value in values) {
+                val word = value.word()
+                if (word.length > LONGEST) value.fail("a value has at most $LONGEST characters")
+                settings = value.checked { PictureDoor.SCENE_FILE.read(settings, listOf(name to word)) }
+            }
+        }
+        node.checked { settings.check() }
+        return words.mapValues { (_, values) -> values.map { it.word() } }
+    }
+
     private fun size(node: JsonNode): ImageSize {
         val sides = node.integers()
         if (sides.size != 2) node.fail("needs 2 numbers, width and height, not ${sides.size}")
         return node.checked { ImageSize(sides[0], sides[1]) }
+    }
+
+    private companion object {
+        /** Characters of the longest word about a picture that has a meaning, and more. */
+        const val LONGEST = 100
     }
 }
