@@ -9,7 +9,6 @@ import dev.lazyz.scenes.fuzz.mutations.Mutations
 import dev.lazyz.scenes.fuzz.mutations.StlMutations
 import dev.lazyz.scenes.fuzz.mutations.TextMutations
 import dev.lazyz.scenes.fuzz.mutations.ZipMutations
-import dev.lazyz.scenes.fuzz.seeds.Seeds
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -20,8 +19,8 @@ import java.nio.file.Path
  * @property extension ending of its files
  */
 internal class FuzzTarget private constructor(val id: String, val extension: String) {
-    /** Inputs to begin with, made by code. */
-    val seeds: List<ByteArray> = Seeds.of(id)
+    /** Inputs to begin with: small files that have all that the loader reads. */
+    val seeds: List<ByteArray> = seeds(Path.of(checkNotNull(javaClass.getResource("seeds/$id")).toURI()))
 
     /** Ways to change an input, those that know the format beside those that do not. */
     val mutations: List<Mutations> = listOf(ByteMutations) + when (id) {

@@ -7,7 +7,9 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
+import org.junit.jupiter.api.assertDoesNotThrow
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /**
@@ -16,7 +18,6 @@ import org.junit.jupiter.api.io.TempDir
  *
  * A glance in the usual build. How to look for hours stands in `CONTRIBUTING.md`.
  */
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class FuzzTest {
     @TempDir
     lateinit var folder: Path
@@ -24,6 +25,7 @@ class FuzzTest {
     private val settings = FuzzSettings()
 
     @TestFactory
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun everyInputIsLoadedOrRefused(): List<DynamicTest> {
         val targets = settings.targets
         return targets.map { target ->
@@ -37,6 +39,7 @@ class FuzzTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun everySeedIsLoaded() {
         Companions.write(folder)
         for (target in FuzzTarget.all) {
@@ -49,7 +52,26 @@ class FuzzTest {
         }
     }
 
+    /** Cuts small seeds at every byte, and changes a bit of each byte. */
+    @TestFactory
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    fun damagedSeedsAreLoadedOrRefused(): List<DynamicTest> = FuzzTarget.all.map { target ->
+        DynamicTest.dynamicTest(target.id) {
+            Companions.write(folder)
+            val case = LoadAndDraw(target.id, folder)
+            for (seed in target.seeds.filter { it.size < SMALL }.ifEmpty { listOf(target.seeds.minBy { it.size }) }) {
+                for (at in seed.indices) {
+                    val changed = seed.copyOf().also { it[at] = (it[at].toInt() xor 1).toByte() }
+                    for (bytes in listOf(changed, seed.copyOf(at))) {
+                        assertDoesNotThrow({ "byte $at of ${seed.size}" }) { case.load(bytes) }
+                    }
+                }
+            }
+        }
+    }
+
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun theSameSeedMakesTheSameInputs() {
         for (target in FuzzTarget.all) assertEquals(inputs(target), inputs(target), target.id)
     }
@@ -60,5 +82,9 @@ class FuzzTest {
             val mutations = target.mutations[i % target.mutations.size]
             mutations.mutate(target.seeds[i % target.seeds.size], target.seeds.first(), random).contentHashCode()
         }
+    }
+
+    private companion object {
+        const val SMALL = 450
     }
 }

@@ -9,7 +9,6 @@ import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Viewpoint
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Texture
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
 import java.nio.file.Files
@@ -81,25 +80,6 @@ class SceneFileTest {
     }
 
     @Test
-    fun materialsWithNumbersThatAreNoneAreKept() {
-        val green = Material(Rgba(0f, 1f, 0f)).withEmission(Rgba(Float.NaN, 0f, 0f))
-        val scene = throughFile(Scene(listOf(Sphere(Vector3d(), 1.0, green))))
-        val read = (scene.surfaces.single() as Sphere).material
-        assertEquals(green.baseColor, read.baseColor)
-        assertEquals(green.emission, read.emission)
-    }
-
-    @Test
-    fun aTextureIsKeptTexelByTexel() {
-        val texels = intArrayOf(0x00FF8040, 0x7F123456, -1, 0x01FFFFFF)
-        val texture = Texture(2, 2, texels, wrapU = Texture.Wrap.CLAMP, name = "t")
-        val back = throughFile(Scene(listOf(Sphere(Vector3d(), 1.0, Material(texture = texture)))))
-        val read = (back.surfaces.single() as Sphere).material.texture!!
-        assertEquals(texels.toList(), List(4) { read.texel(it % 2, it / 2) })
-        assertEquals(listOf(Texture.Wrap.CLAMP, Texture.Wrap.REPEAT, "t"), listOf(read.wrapU, read.wrapV, read.name))
-    }
-
-    @Test
     fun aFileIsWrittenAndReadBack() {
         val path = folder.resolve("a.json")
         val camera = Camera.perspective(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 33.3, 1.0, 9.0)
@@ -157,10 +137,4 @@ class SceneFileTest {
 
     private fun background(json: String): Rgba =
         SceneFile.parse("""{"lazyz": 1, "background": $json}""").scene.background
-
-    private fun throughFile(scene: Scene): Scene {
-        val path = folder.resolve("scene.json")
-        SceneFile.write(scene, path)
-        return SceneFile.read(path).scene
-    }
 }
