@@ -91,19 +91,6 @@ class BlendingTest {
     }
 
     @Test
-    fun rule_5_5_theBackgroundIsABackdropToo() {
-        blending.clear()
-        blending.add(fragment(0.5f, 0.25f, 1f, 0.5f))
-        blending.end(Rgba(1f, 0.5f, 0.25f, 0.5f))
-        // Weights 1/2 and 1/4 of 3/4
-        assertEquals(0.5f / 0.75f, blending.red)
-        assertEquals(0.25f / 0.75f, blending.green)
-        assertEquals(0.5625f / 0.75f, blending.blue)
-        assertEquals(0.75f, blending.alpha)
-        assertEquals(Rgba(blending.red, blending.green, blending.blue, blending.alpha).toArgb(), blending.toArgb())
-    }
-
-    @Test
     fun rule_5_5_renderersShowABrightBackdropThroughManyPanes() {
         for (layers in listOf(1, 19, 20, 21, 40, 126)) {
             val light = StrictMath.scalb(1f, layers)

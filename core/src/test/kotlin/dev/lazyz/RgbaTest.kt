@@ -73,22 +73,6 @@ class RgbaTest {
         }
     }
 
-    @Test
-    fun huesGoAroundTheHexcone() {
-        val hues = listOf(0xFF0000, 0xFFFF00, 0x00FF00, 0x00FFFF, 0x0000FF, 0xFF00FF, 0xFF0000)
-        for ((i, rgb) in hues.withIndex()) {
-            assertEquals(Rgba.ofRgb(rgb), Rgba.hsv(60f * i, 1f, 1f))
-            assertEquals(Rgba.ofRgb(rgb), Rgba.hsv(60f * i - 720f, 1f, 1f))
-        }
-        assertEquals(Rgba.WHITE, Rgba.hsv(77f, 0f, 1f))
-        assertEquals(Rgba.BLACK, Rgba.hsv(77f, 1f, 0f))
-        assertEquals(Rgba(1f, 0f, 0f, 0.25f), Rgba.hsv(0f, 1f, 1f, 0.25f))
-
-        // Half of the way from red to yellow, green is encoded as 1/2: ((0.5 + 0.055) / 1.055) to the power of 2.4
-        assertEquals(0.21404114f, Rgba.hsv(30f, 1f, 1f).green, 1e-7f)
-        assertEquals(Rgba.hsv(0f, 1f, 1f), Rgba.hsv(-Float.MIN_VALUE, 1f, 1f))
-    }
-
     /** Smith's inverse: value is the greatest component, saturation the range divided by it, hue where in its sixth. */
     @Test
     fun everyCodeHasItsHueSaturationAndValue() {

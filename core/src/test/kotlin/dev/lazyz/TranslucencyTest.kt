@@ -32,20 +32,6 @@ class TranslucencyTest {
     private val noRows = RowSink { _, _, _, _ -> error("a row was handed out") }
 
     @Test
-    fun rule_5_6_renderersThatDoNotBlendRefuseTheFrameBeforeTheyStart() {
-        for (renderer in Renderers.builtIn.filter { Capability.TRANSPARENCY !in it.capabilities }) {
-            val error = assertThrows<IllegalArgumentException> { renderer.render(frame, noRows) }
-            assertEquals(
-                "primitive 1 is translucent and the renderer '${renderer.id}' does not blend: " +
-                    "use 'tiled' or 'lists', which do, or make it opaque with asOpaque()",
-                error.message,
-            )
-        }
-        assertEquals(0, wall.shadingCalls + glass.shadingCalls)
-        assertEquals(-1, wall.lastRow)
-    }
-
-    @Test
     fun rule_5_6_primitivesOfAStreamAreRefusedAsTheyArrive() {
         val error = assertThrows<IllegalArgumentException> {
             runBlocking { ZBufferRenderer().render(raster, flowOf(wall, glass), noRows) }

@@ -51,14 +51,6 @@ class WorkersTest {
     }
 
     @Test
-    fun oneThreadIsTheCallingThread() {
-        val none = Executor { throw AssertionError("no other thread is permitted") }
-        val threads = HashSet<Thread>()
-        Workers(1, none).forEach(10, Checkpoint.NONE) { _, _ -> threads += Thread.currentThread() }
-        assertEquals(setOf(Thread.currentThread()), threads)
-    }
-
-    @Test
     fun theFirstExceptionReachesTheCallerAndTheRestIsSkipped() {
         for ((name, executor) in executors) {
             val planted = StackOverflowError(name)
@@ -66,7 +58,9 @@ class WorkersTest {
             val thrown = assertThrows(StackOverflowError::class.java) {
                 Workers(2, executor).forEach(100_000, Checkpoint.NONE) { number, _ ->
                     if (number == 3) throw planted
-                    after.incrementAndGet()
+
+                    // A busy machine may let the thread that throws wait, so the other one must not be through with all
+                    if (after.incrementAndGet() > 50_000) Thread.sleep(1)
                 }
             }
             assertSame(planted, thrown)

@@ -70,6 +70,7 @@ class LauncherTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun firstStartMakesTheArchiveAndTheSecondUsesIt() {
         render()
         val archive = archives.single()
@@ -119,7 +120,7 @@ class LauncherTest {
     }
 
     @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
     fun damagedArchiveIsMadeAgainAfterItsFirstUse() {
         render()
         val archive = archives.single()
@@ -149,7 +150,7 @@ class LauncherTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun everyCommandOfTheTrainingRunSucceeds() {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val process = ProcessBuilder(java, "-cp", "${home.resolve("zcli.jar")}", "dev.lazyz.cli.TrainingRunKt")
@@ -167,7 +168,7 @@ class LauncherTest {
     }
 
     @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
     fun cacheThatCannotBe() {
         folder.resolve("file").writeText("")
         render(mapOf("ZCLI_CACHE" to "${folder.resolve("file/cache")}"))
@@ -184,6 +185,7 @@ class LauncherTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun collectorOfOnesOwn() = render(OFF + ("ZCLI_JAVA_OPTIONS" to "-XX:+UseParallelGC -Xmx64m"))
 
     @Test

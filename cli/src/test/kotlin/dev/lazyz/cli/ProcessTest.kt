@@ -47,6 +47,7 @@ class ProcessTest {
     private val errors get() = child.errors
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun pictureThroughAPipe() {
         val process = start("render", "-", "--format", "obj", "-o", "-", "--size", "40x30", "--stats=json")
         process.outputStream.use { it.write(WEDGE.toByteArray()) }
@@ -57,7 +58,7 @@ class ProcessTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun pictureInTheCurrentFolder() {
         assertEquals(0, start("render", "teapot", "--size", "40x30", "--quiet").code(), errors)
         assertTrue(folder.resolve("teapot.png").exists())
@@ -65,7 +66,7 @@ class ProcessTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun theAdviceForANameWithBracesWorks() {
         folder.wedge("{a,b}.obj")
         val picture = folder.resolve("{a,b}.png").apply { writeText("old") }
@@ -77,7 +78,7 @@ class ProcessTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun closedPipe() {
         val process = start("render", "teapot", "-o", "-", "--size", "1500x1500", "--quiet")
         process.inputStream.close()
@@ -95,7 +96,7 @@ class ProcessTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
     fun aTerminatedRunOfTheSuiteLeavesNoFile() {
         val temporary = folder.resolve("temporary").createDirectory()
         val words = listOf("conformance", "--strategy", "lazy", "--quiet")
@@ -110,7 +111,7 @@ class ProcessTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun whatAKilledProcessLeftTheNextOneDeletes() {
         val process = startLargePicture()
         process.destroyForcibly()
@@ -126,7 +127,7 @@ class ProcessTest {
     }
 
     @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
     fun whatAnotherProcessWritesIsLeftAlone() {
         val process = startLargePicture()
         try {
@@ -164,7 +165,7 @@ class ProcessTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun tooLittleMemory() {
         val job = listOf("render", "teapot", "-o", "x.png", "--size", "3000x3000", "--strategy", "zbuffer")
         val process = start(job, listOf("-Xmx64m")) {}
@@ -223,12 +224,12 @@ class ProcessTest {
             }
         }
 
-    /** All of them take long: by default the first is enough, and the second with the effort `rest`. */
+    /** All of them take long: the first is enough with the effort `rest`, and none by default. */
     private fun streaming(): List<Renderer> {
         val all = Renderers.builtIn.filter { Capability.CONSTANT_MEMORY in it.capabilities }
         return when (System.getProperty("lazyz.effort")) {
-            null -> all.take(1)
-            "rest" -> all.subList(1, 2)
+            null -> emptyList()
+            "rest" -> all.take(1)
             else -> all
         }
     }

@@ -22,6 +22,7 @@ class ResumeTest {
         listOf("render", "teapot", "--size", "3000x4000", "--aa", "1", "--threads", "1", "--quiet", "-o")
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
     fun aTerminatedPyramidLeavesNothing() {
         val process = child.start(words + "a.dzi")
         child.await(process, "no tiles") {

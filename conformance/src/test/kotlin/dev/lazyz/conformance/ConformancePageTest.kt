@@ -36,6 +36,7 @@ class ConformancePageTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun programComparesTwoRenderers(@TempDir folder: Path) {
         val report =
             DifferentialFuzzing(ZBufferRenderer(), MyRenderer()).time(Duration.ofSeconds(1)).corpus(folder).run()

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.TestFactory
 /**
  * Correct renderers pass with other frames, however they work. `-Dlazyz.seeds=1..20 -Dsurefire.timeout=0` tests all of
  * them, including third-party ones, with these seeds and the default effort, for an hour, and prints which have passed.
- * `-Dlazyz.effort=rest` tests some of them with one seed and a tenth of the frames.
+ * `-Dlazyz.effort=rest` tests one of them with one seed and a twentieth of the frames.
  */
 class OtherSeedsTest {
     private val seeds: LongRange? = System.getProperty("lazyz.seeds")?.let { range ->
@@ -35,12 +35,12 @@ class OtherSeedsTest {
         val oracle = { ReferenceRenderer() }
         val all = UnusualRenderers.all + Skeletons.correct + oracle
         val good = RuleOutcome.entries.filterNot { it.isFailure }.toSet()
-        val some = if (TestEffort.isDefault) emptyList() else TestEffort.sample(4, UnusualRenderers.quick)
+        val some = if (TestEffort.isDefault) emptyList() else UnusualRenderers.quick.take(1)
         return passing(if (seeds == null) some else all, good)
     }
 
     private fun passing(renderers: List<() -> Renderer>, good: Set<RuleOutcome>): List<DynamicTest> {
-        val tries = if (seeds == null) 0.1 else 1.0
+        val tries = if (seeds == null) 0.05 else 1.0
         return renderers.flatMap { make ->
             (seeds ?: 1L..1L).map { seed ->
                 dynamicTest("${make().id} at seed $seed") {

@@ -3,17 +3,15 @@ package dev.lazyz.conformance
 import dev.lazyz.conformance.mutants.PlainRenderer
 import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.wrappers.BasicMistakes
-import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.Waivers
 import dev.lazyz.conformance.rules.ConformanceVersions
 import java.nio.file.Path
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
-import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.EnabledIfSystemProperty
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** A recorded report is verified by another run. */
@@ -34,16 +32,7 @@ class RecordedReportTest {
         assertThrows(RecordedReportException::class.java) { RecordedReport.read(path) }.message.orEmpty()
 
     @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun sameRendererComesOutTheSame() {
-        val recorded = RecordedReport.read(recorded("5.2", "5.6"))
-        val report = recorded.again { BasicMistakes.lastWinsTies() }.run()
-        assertEquals(emptyList<String>(), recorded.differences(report))
-        assertEquals(listOf("last-wins-ties", 3L, 0.2), listOf(recorded.strategy, report.seed, report.tries))
-        assertEquals(SuiteRule.all.filter { it.number in listOf("5.2", "5.6") }, report.results.map { it.rule })
-    }
-
-    @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun otherOutcomesAreReported() {
         val recorded = RecordedReport.read(recorded(RuleNames.ties))
         val differences = recorded.differences(recorded.again { PlainRenderer() }.run())
@@ -51,6 +40,7 @@ class RecordedReportTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun whatIsNoReportOrOfAnotherVersionIsAMistake() {
         val path = recorded(RuleNames.ties)
         val text = path.readText()

@@ -39,7 +39,7 @@ class SameReportTest {
         val first = timeless(SupervisedRun.conformance(renderer).run().toJson())
         if (TestEffort.isFull) assertEquals(first, timeless(SupervisedRun.conformance(renderer).run().toJson()))
         val printed = process.inputStream.reader().readText()
-        assertTrue(process.waitFor(120, TimeUnit.SECONDS))
+        assertTrue(process.waitFor(10, TimeUnit.MINUTES))
         assertEquals(0, process.exitValue()) { printed }
         assertEquals(first, timeless(files.report.readText()))
         assertEquals(renderer == "right", "\"conformant\": true" in first)

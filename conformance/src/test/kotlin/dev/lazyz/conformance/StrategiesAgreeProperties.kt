@@ -29,33 +29,33 @@ import net.jqwik.api.statistics.Statistics
 import org.junit.jupiter.api.Assertions.assertTrue
 
 /**
- * The main promise of the library: all built-in renderers give the same bits, on 7,200 frames, with random options and
+ * The main promise of the library: all built-in renderers give the same bits, on 2,800 frames, with random options and
  * in random regions. Each frame is rendered by the first renderer and by about a quarter of the others, with the
  * effort `rest` by the rest, and with `full` by all; see [TestEffort].
  *
  * [RendererConformance] compares each with the oracle, on fewer frames. This test compares them with each other.
  */
 class StrategiesAgreeProperties {
-    @Property(tries = 1200, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 600, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onTheScreen(@ForAll(supplier = ScreenCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 
-    @Property(tries = 900, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 450, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onTies(@ForAll(supplier = TiedCases::class) case: FrameCase, @ForAll salt: Long) = agree(case, salt)
 
-    @Property(tries = 1000, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 500, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onPrimitivesOfOnesOwn(@ForAll(supplier = ConfettiCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 
-    @Property(tries = 1200, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 600, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_inScenes(@ForAll(supplier = WorldCases::class) case: FrameCase, @ForAll salt: Long) = agree(case, salt)
 
     /** Rasters of several tiles and subdivisions, and enough primitives to hide each other. */
-    @Property(tries = 100, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 50, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_onLargerFrames(@ForAll(supplier = LargerCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 
-    @Property(tries = 1200, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 600, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_5_5_onTranslucentFrames(@ForAll(supplier = TranslucentCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 

@@ -54,10 +54,10 @@ class SuiteFramesTest {
     /** What is a comment is no code. */
     @Test
     fun codeOfFailuresIsNoComment() {
-        val suite = Conformance { WrongColors() }.tries(0.02).withoutShrinking()
-        for (rule in listOf("1.3", "2.5", "6.1", "6.2", "6.6")) suite.rule(rule)
+        val suite = Conformance { WrongColors() }.tries(0.01).withoutShrinking()
+        for (rule in listOf("1.3", "2.5", "6.1")) suite.rule(rule)
         val codes = suite.run().results.mapNotNull { it.failure?.code }
-        assertTrue(codes.size > 3, "$codes")
+        assertTrue(codes.size > 2, "$codes")
         assertEquals(emptyList<String>(), codes.filter { "//" in it || "/*" in it })
     }
 }

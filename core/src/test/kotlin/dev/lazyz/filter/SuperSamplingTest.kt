@@ -18,7 +18,6 @@ import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Sphere
 import java.util.Random
@@ -72,44 +71,6 @@ class SuperSamplingTest {
             side, side, IntArray(side * side, argb), IntArray(side * side, depth), IntArray(side * side, primitive),
             Counters.NONE,
         )
-
-    @Test
-    fun rule_6_12_pixelsOfOneColourHaveIt() {
-        for (alpha in listOf(0, 1, 2, 127, 254, 255)) {
-            for (code in 0..255) {
-                val color = (alpha shl 24) or (code shl 16) or ((255 - code) shl 8) or code
-                for (argb in filtered(image(8, { color }), 4).argb) assertEquals(color, argb)
-            }
-        }
-    }
-
-    /** Samples are often equal to their neighbours, over a pixel, some pixels, or all but one sample of them. */
-    @Test
-    fun rule_6_12_runsOfEqualSamplesAreFilteredAsOthers() {
-        val random = Random(7)
-        for (factor in 2..5) {
-            repeat(60) {
-                val side = 6 * factor
-                var color = random.nextInt()
-                var primitive = 0
-                val lengths = listOf(1, factor - 1, factor, factor + 1, 3 * factor, side, 2 * side)
-                var left = 0
-                val colors = IntArray(side * side)
-                val primitives = IntArray(side * side)
-                for (i in colors.indices) {
-                    if (left-- == 0) {
-                        left = lengths[random.nextInt(lengths.size)] - 1
-                        color = if (random.nextBoolean()) -1 else random.nextInt()
-                        primitive = random.nextInt(3) - 1
-                    }
-                    colors[i] = color
-                    primitives[i] = primitive
-                }
-                fun depth(i: Int) = if (primitives[i] < 0) Int.MAX_VALUE else (i * 37) % 1000
-                filtered(image(side, { colors[it] }, ::depth, { primitives[it] }), factor)
-            }
-        }
-    }
 
     @Test
     fun rule_6_12_meansAreThoseOfExactArithmetic() {
@@ -269,21 +230,6 @@ class SuperSamplingTest {
             SuperSampling(2).of(glass.asOpaque()).render(ZBufferRenderer()),
             frame.asOpaque().render(ZBufferRenderer()),
         )
-    }
-
-    @Test
-    fun pointsAndLinesKeepTheirSizeInPixels() {
-        val positions = floatArrayOf(-1f, 0f, 0f, 1f, 0f, 0f)
-        val white = Material(Rgba.WHITE)
-        val drawn = Scene(
-            listOf(Points(positions, 6.0, white), Lines(positions, intArrayOf(0, 1), 3.0, white)),
-            background = Rgba.TRANSPARENT,
-        )
-        val pixels = Raster(64, 32, Rgba.TRANSPARENT)
-        val areas = listOf(1, 4).map { factor ->
-            SuperSampling(factor).frame(drawn, pixels).render(ZBufferRenderer()).argb.sumOf { it ushr 24 } / 255.0
-        }
-        assertEquals(areas[0], areas[1], 0.06 * areas[0])
     }
 
     @Test

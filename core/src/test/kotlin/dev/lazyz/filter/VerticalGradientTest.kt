@@ -6,7 +6,6 @@ import dev.lazyz.Rgba
 import dev.lazyz.RowSink
 import dev.lazyz.spi.Srgb
 import java.util.Random
-import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test
@@ -23,12 +22,6 @@ class VerticalGradientTest {
         val gradient = VerticalGradient(top, bottom).behind(region, height, sink)
         gradient.row(y, argb, IntArray(argb.size), IntArray(argb.size))
         return result
-    }
-
-    @Test
-    fun rule_6_15_opaquePixelsAreUnchanged() {
-        val codes = IntArray(256) { 0xFF shl 24 or (it * 0x10101) }
-        assertArrayEquals(codes, row(5, 9, *codes))
     }
 
     /** The formula of the contract, for all alphas and codes, in rows of pictures of any height. */

@@ -8,11 +8,8 @@ import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap
 import dev.lazyz.world.material.TextureMap.UvTransform
 import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.Sphere
 import kotlin.math.sqrt
-import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class LightMeterTest {
@@ -27,14 +24,6 @@ class LightMeterTest {
     private fun intensity(vararg meshes: Mesh) = LightMeter.intensity(Scene(meshes.toList()))
 
     private fun expected(luminance: Double) = sqrt(0.18 / luminance).toFloat()
-
-    @Test
-    fun brightScenesNeedNoMoreLight() {
-        assertEquals(1f, intensity(square(Material())))
-        assertEquals(1f, intensity(square(Material(grey(0.18f)))))
-        assertEquals(1f, LightMeter.intensity(Scene(emptyList())))
-        assertEquals(1f, LightMeter.intensity(Scene(listOf(Sphere(Vector3d(), 1.0, Material(grey(0.01f)))))))
-    }
 
     @Test
     fun darkOnesGetTheSquareRootOfWhatIsMissing() {

@@ -41,15 +41,6 @@ class LazyRowTest {
     }
 
     @Test
-    fun everyColumnIsForcedByItself() {
-        for (x in listOf(20, 79, 20, 52, 51, 52)) row.argb(x)
-        assertEquals(listOf(20, 79, 52, 51), tile.shaded.map { it.first })
-        row.argb()
-        assertEquals(60, tile.shaded.distinct().size)
-        assertEquals(60, row.counters.shadingCalls)
-    }
-
-    @Test
     fun aSinkGetsTheRowAndNothingIsShadedTwice() {
         row.argb(30)
         repeat(2) {
@@ -61,21 +52,6 @@ class LazyRowTest {
             }
         }
         assertEquals(60, tile.shaded.size)
-    }
-
-    @Test
-    fun memoryIsCountedAsItIsTaken() {
-        val before = row.counters.peakBytes
-        row.primitive(30)
-        assertEquals(before, row.counters.peakBytes)
-
-        // Colours, and one bit for each, in whole words
-        row.argb(30)
-        assertEquals(before + 4 * 80 + 16, row.counters.peakBytes)
-        row.argb()
-        assertEquals(before + 4 * 80 + 16, row.counters.peakBytes)
-        repeat(2) { row.sendTo { _, _, _, _ -> } }
-        assertEquals(before + 4 * 80 + 8 * 80, row.counters.peakBytes)
     }
 
     @Test

@@ -7,7 +7,6 @@ import dev.lazyz.FramePart
 import dev.lazyz.FrameParts
 import dev.lazyz.Image
 import dev.lazyz.Reach
-import dev.lazyz.Region
 import dev.lazyz.SampleScenes
 import dev.lazyz.Workers
 import dev.lazyz.strategies.tiled.TiledRenderer
@@ -70,15 +69,6 @@ class StreamedRenderingTest {
     }
 
     @Test
-    fun bandsHaveAtMostAsManySamplesAsAnArray() {
-        val region = Region(0, 0, 1 shl 16, 1 shl 16)
-        val bands = bandsOf(region, Long.MAX_VALUE)
-        assertEquals(listOf(32_767, 32_767, 2), bands.map { it.height })
-        assertEquals(region.size, bands.sumOf { it.size })
-        assertEquals(listOf(1, 1), bandsOf(Region(0, 5, 1 shl 16, 7), 0).map { it.height })
-    }
-
-    @Test
     fun bandsOfAnyHeightGiveTheSamePicture() {
         val expected = TiledRenderer().render(frame)
         for (rows in listOf(0, 1, 2, 36, 37, 38)) {
@@ -88,18 +78,6 @@ class StreamedRenderingTest {
                 assertEquals(expected.counters.primitives, image.counters.primitives)
             }
         }
-    }
-
-    @Test
-    fun partsThatDoNotReachABandAreNotRead() {
-        val pieces = frame.primitives.chunked(3)
-        render(parts(knowsReach = true), 12L * 40)
-        val needed = pieces.sumOf { piece ->
-            val isSeen = piece.minOf { it.columnStart } < 40 && piece.maxOf { it.columnEnd } > 0
-            val rows = maxOf(0, minOf(37, piece.maxOf { it.rowEnd }) - maxOf(0, piece.minOf { it.rowStart }))
-            if (isSeen) rows else 0
-        }
-        assertEquals(needed, reads.get())
     }
 
     @Test

@@ -1,8 +1,6 @@
 package dev.lazyz.planning
 
-import dev.lazyz.EmptyPrimitive
 import dev.lazyz.Frame
-import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
@@ -29,6 +27,8 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class RenderPlannerTest {
     private val glass = Material(Rgba(0.5f, 0.4f, 0.3f, 0.5f), alphaMode = AlphaMode.BLEND)
@@ -79,22 +79,6 @@ class RenderPlannerTest {
     }
 
     @Test
-    fun customPrimitivesOfTheLargestBoundsNeedMemory() {
-        val far = 1 shl 30
-        val huge = object : Primitive by EmptyPrimitive {
-            override val rowStart get() = -far
-            override val rowEnd get() = far
-            override val columnStart get() = -far
-            override val columnEnd get() = far
-        }
-        val raster = Raster(64, 64)
-        val (without, with) = listOf(listOf(), listOf(huge)).map { more ->
-            TiledMemory(Frame(raster, scenes[0].frame(raster).asOpaque().primitives + more), 64, 1).singles
-        }
-        assertTrue(without < with) { "$without bytes without it, $with with it" }
-    }
-
-    @Test
     fun lessMemoryMeansSmallerTilesThenOneThreadAndThenNoPlan() {
         val frame = SuperSampling(2).frame(scenes[1], Raster(8_000, 2_000))
         val options = RenderOptions(threads = 2)
@@ -128,6 +112,7 @@ class RenderPlannerTest {
 
     /** Strategies without batches need an object for each triangle, and for a flat one also its vertices. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun objectsOfTrianglesAreCounted() {
         val flat = soup(60_000, 0.02, Material(shading = Shading.FLAT))
         for (mesh in listOf(flat, flat.withSmoothNormals(180.0).withMaterials { it.withShading(Shading.PHONG) })) {
@@ -143,6 +128,7 @@ class RenderPlannerTest {
 
     /** What a surface says of its set-up is at least what the frame takes. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun setUpTakesNoMoreThanTheSurfacesSay() {
         val mesh = soup(60_000, 0.02, Material())
         val vertices = mesh.positions
@@ -176,6 +162,7 @@ class RenderPlannerTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun aStreamedFrameIsRenderedInBandsThatFit() {
         val scene = Scene(listOf(StreamedMesh(streamed))).withViewpoint(SampleScenes.camera)
         val frame = SuperSampling.NONE.frame(scene, Raster(1_000, 3_000))

@@ -27,7 +27,7 @@ class CoverageProperties {
     @Provide
     fun rules(): Arbitrary<FillRule> = Arbitraries.of(FillRule::class.java)
 
-    @Property(seed = "1995", tries = 1000, edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "1995", tries = 500, edgeCases = EdgeCasesMode.NONE)
     fun rule_2_2_trianglesFollowTheTopLeftRule(@ForAll("triangles") drawing: GridDrawing) {
         val (a, b, c) = drawing.contours.single()
         val area = c.side(a, b)
@@ -110,7 +110,7 @@ class CoverageProperties {
         assertEquals(expected, primitive.samplesByCursor(drawing.raster, start))
     }
 
-    @Property(seed = "1995", tries = 1500, edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "1995", tries = 500, edgeCases = EdgeCasesMode.NONE)
     fun rule_2_4_windingsDecide(@ForAll("drawings") drawing: GridDrawing, @ForAll("rules") rule: FillRule) {
         assertEquals(drawing.expected(rule), drawing.samples(rule))
     }

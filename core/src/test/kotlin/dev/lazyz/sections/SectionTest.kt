@@ -73,23 +73,6 @@ class SectionTest {
     }
 
     @Test
-    fun rule_10_5_aTorusHasTwoContours() {
-        val torus = Solids.torus(1.0, 0.4, 96, 48)
-        val whole = volume(Section.Cut(Scene(listOf(torus)), emptyList()))
-        val across = cut(listOf(torus), SectionPlane.x(0.013))
-        assertEquals(2, caps(across).single().contours.size)
-        assertEquals(2 * StrictMath.PI * 0.16, area(across, Vector3d(1.0, 0.0, 0.0)), 0.01)
-        assertEquals(whole, volume(across) + volume(cut(listOf(torus), SectionPlane.x(0.013).reversed())), 1e-4)
-
-        // Along the ring, the inner contour is a hole
-        val along = cut(listOf(torus), SectionPlane.y(0.1))
-        val r = StrictMath.sqrt(0.16 - 0.01)
-        assertEquals(2, caps(along).single().contours.size)
-        assertEquals(4 * StrictMath.PI * r, area(along, Vector3d(0.0, 1.0, 0.0)), 0.02)
-        assertEquals(volume(along), volume(along, Vector3d(-3.0, 20.0, 1.0)), 1e-4, "closed")
-    }
-
-    @Test
     fun rule_10_4_cutsThroughVerticesAndAlongFacesWork() {
         val cube = Solids.cube()
 
@@ -122,36 +105,6 @@ class SectionTest {
             assertEquals(emptyList<String>(), half.warnings)
             assertEquals(volume(half), volume(half, Vector3d(-3.0, 20.0, 1.0)), 1e-5, "closed: $plane")
         }
-    }
-
-    @Test
-    fun rule_10_4_equalPlanesCutOnce() {
-        val (turned, again) = List(2) { SectionPlane(Vector3d(1.0, 2.0, -0.7), 0.3) }
-        val equal = listOf(0.1 to 0.1, 0.5 to 0.5, 0.0 to -0.0).map { (a, b) -> SectionPlane.x(a) to SectionPlane.x(b) }
-        for ((plane, again) in equal + (turned to again)) {
-            val once = cut(listOf(Solids.cube()), plane, SectionPlane.y(0.25))
-            val twice = cut(listOf(Solids.cube()), plane, again, SectionPlane.y(0.25), plane)
-            assertEquals(2, caps(twice).size, "$plane")
-            assertEquals(caps(once).map { "${it.contours}" }, caps(twice).map { "${it.contours}" })
-            assertEquals(volume(once), volume(twice), "$plane")
-        }
-    }
-
-    /** The last ones have contours that close only together. */
-    @Test
-    fun rule_10_5_capsAreInTheOrderOfMeshesWhateverTheirOrigins() {
-        val cube = Solids.cube()
-        val sides = cube.triangles.copyOf(cube.triangles.size - 6)
-        val lid = cube.triangles.copyOfRange(cube.triangles.size - 6, cube.triangles.size)
-        fun mesh(name: String, origin: Double, triangles: IntArray = cube.triangles) =
-            Mesh(cube.positions, triangles, Material(name = name), origin = Vector3d(origin, 0.0, 0.0))
-        val meshes = listOf(
-            mesh("A", 0.0, sides), mesh("B", 0.0), mesh("C", 5.0), mesh("D", 0.0), mesh("E", 9.0), mesh("F", 5.0),
-            mesh("G", 0.0, lid),
-        )
-        val cut = cut(meshes, SectionPlane.y(0.0), SectionPlane.z(0.0))
-        assertEquals(emptyList<String>(), cut.warnings)
-        assertEquals(List(2) { listOf("B", "C", "D", "E", "F", "A") }.flatten(), caps(cut).map { it.material.name })
     }
 
     @Test

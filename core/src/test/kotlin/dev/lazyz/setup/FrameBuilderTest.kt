@@ -30,14 +30,6 @@ class FrameBuilderTest {
     }
 
     @Test
-    fun theBuilderMayGoOn() {
-        val builder = FrameBuilder(raster).polygon(Rgba.BLACK, square)
-        val first = builder.build()
-        val second = builder.polygon(Rgba.WHITE, square).build()
-        assertEquals(listOf(1, 2), listOf(first.primitives.size, second.primitives.size))
-    }
-
-    @Test
     fun wrongContoursAreRefused() {
         val builder = FrameBuilder(raster)
         val pairs = assertThrows(IllegalArgumentException::class.java) { builder.polygon(Rgba.BLACK, DoubleArray(8)) }

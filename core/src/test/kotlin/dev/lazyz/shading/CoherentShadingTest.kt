@@ -11,18 +11,16 @@ import dev.lazyz.Renderer
 import dev.lazyz.SampleScenes
 import dev.lazyz.geometry.FillRule
 import dev.lazyz.setup.FrameBuilder
-import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Shader
 import dev.lazyz.spi.ShadingCursor
-import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.Renderers
 import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest
-import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** The cost of the three modes of late shading, in starts and steps, for every renderer that supports them. */
 class CoherentShadingTest {
@@ -71,6 +69,7 @@ class CoherentShadingTest {
     }
 
     @TestFactory
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun adaptiveIsNeverMoreExpensiveThanTheBetter(): List<DynamicTest> = forEachRenderer { renderer ->
         for (seed in 1L..20L) {
             val mixed = SampleScenes.mixed(Random(seed)).frame(60, 40)
@@ -82,18 +81,6 @@ class CoherentShadingTest {
             val better = minOf(costs.getValue(Coherence.DIRECT), costs.getValue(Coherence.INCREMENTAL))
             assertTrue(costs.getValue(Coherence.ADAPTIVE) <= better) { "$seed: $costs" }
         }
-    }
-
-    @TestFactory
-    fun stepsSaveWorkWhereStartsAreExpensive(): List<DynamicTest> = forEachRenderer { renderer ->
-        val work = Coherence.entries.associateWith { coherence ->
-            val ripple = Ripple(raster)
-            counters(renderer, Frame(raster, listOf(ripple)), coherence)
-            ripple.additions
-        }
-        assertEquals(8 * 512 * 513L / 2, work[Coherence.DIRECT])
-        assertEquals(8 * 512L, work[Coherence.INCREMENTAL])
-        assertEquals(8 * 512L, work[Coherence.ADAPTIVE])
     }
 
     @TestFactory
@@ -116,11 +103,6 @@ class CoherentShadingTest {
             val ofWall = if (cost < 32) 16L * 8 else 8
             assertEquals(ofWall + PICKETS, starts) { "$cost" }
         }
-    }
-
-    @Test
-    fun severalRenderersShadeLate() {
-        assertTrue(lateRenderers().size >= 5) { "${lateRenderers()}" }
     }
 
     /** Uses tiles as wide as the raster, for renderers that have tiles, because chains end with a row of a tile. */
@@ -153,41 +135,6 @@ class CoherentShadingTest {
 
     /** A primitive with a given cost of a start. */
     private class Expensive(whole: Primitive, override val shadingStartCost: Int) : Primitive by whole
-
-    /**
-     * A primitive whose colour is a sum along the row: a start takes as many additions as there are columns before it.
-     */
-    private class Ripple(private val raster: Raster) : Primitive {
-        var additions = 0L
-
-        override val rowStart: Int get() = 0
-        override val rowEnd: Int get() = raster.height
-        override val columnStart: Int get() = 0
-        override val columnEnd: Int get() = raster.width
-        override val shadingStartCost: Int get() = raster.width
-
-        override fun spans(y: Int, spans: Spans): Unit = spans.add(0, raster.width)
-
-        override fun depth(x: Int, y: Int): Int = 1000
-
-        override fun shade(fragment: Fragment) = shadingCursor(fragment.x, fragment.y).shade(fragment)
-
-        override fun shadingCursor(x: Int, y: Int) = object : ShadingCursor {
-            private var sum = 0f
-            private var column = -1
-
-            init {
-                repeat(x + 1) { step() }
-            }
-
-            override fun step() {
-                additions++
-                sum += 1f / (1 + ++column)
-            }
-
-            override fun shade(fragment: Fragment) = fragment.setColor(sum / 8, sum / 16, 0.5f)
-        }
-    }
 
     private companion object {
         /** Samples of the fence at which a picket is visible. */

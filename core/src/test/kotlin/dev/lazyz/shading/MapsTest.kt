@@ -18,7 +18,6 @@ import dev.lazyz.world.material.TextureMap.UvTransform
 import dev.lazyz.world.surface.Mesh
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** Contract rule 6.9: maps. */
@@ -110,21 +109,6 @@ class MapsTest {
         // A quarter turn: u' = v, v' = -u, so right of the map is down, and up of the map is right
         val turn = UvTransform(rotation = 90.0)
         assertNormal(y, -x, z, square(bumpy(0xC0A0E0, { TextureMap(it, 0, turn) })).withTangents(0, turn))
-    }
-
-    @Test
-    fun rule_6_9_theBackIsTheOtherSideOfTheSameRelief() {
-        // Seen from behind, the surface has the same shape: all its normals are reversed
-        val front = square(bumpy(0xC0A0E0), isTurned = true).withTangents()
-        val normals = front.normals!!
-        val tangents = front.tangents!!
-        val flipped = Mesh(
-            front.positions, front.triangles, front.material, FloatArray(normals.size) { -normals[it] }, front.uvs,
-            tangents = FloatArray(tangents.size) { -tangents[it] },
-        )
-        // Reversing normals and tangents of the mesh changes nothing, because they face the viewer anyway
-        assertEquals(normal(front), normal(flipped))
-        assertTrue(normal(front)[2] > 0f)
     }
 
     @Test

@@ -1,7 +1,6 @@
 package dev.lazyz.shading
 
 import dev.lazyz.Rgba
-import dev.lazyz.samples
 import dev.lazyz.spi.BatchShader
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.FragmentBatch
@@ -16,12 +15,9 @@ import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.Polygon
-import dev.lazyz.world.surface.Polygon.Vertex
 import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** Contract rule 6.1 for materials: single fragments and batches, of meshes and of polygons, have the same colours. */
@@ -73,24 +69,6 @@ class MaterialShaderTest {
     }
 
     @Test
-    fun rule_6_5_alphaIsBaseTimesVertexTimesTexture() {
-        val material = Material(Rgba(1f, 1f, 1f, 0.75f), texture, Shading.CONSTANT, alphaMode = AlphaMode.BLEND)
-        val texel = FloatArray(4)
-        for (isPrelit in listOf(false, true)) {
-            val shader = MaterialShader(material, Lighting(SceneLight(lights), camera), isPrelit)
-            val fragment = Fragment()
-            fragment.vertexAlpha = 0.5f
-            fragment.u = 0.3f
-            fragment.v = 0.4f
-            texture.sample(0.3f, 0.4f, texel)
-            shader.shade(fragment)
-            val alpha = if (isPrelit) 0.5f * texel[3] else 0.5f * 0.75f * texel[3]
-            assertEquals(alpha, fragment.alpha)
-            assertEquals(alpha, shader.alphaAt(fragment))
-        }
-    }
-
-    @Test
     fun aShaderOfOnesOwnSeesTextureCoordinatesWithoutATexture() {
         val material = Material(shader = { it.setColor(it.u, it.v, it.vertexRed) })
         val positions = floatArrayOf(-9f, -9f, 0f, 9f, -9f, 0f, 0f, 12f, 0f)
@@ -99,42 +77,6 @@ class MaterialShaderTest {
         val fragment = Fragment()
         Scene(listOf(mesh), lights, camera).frame(1, 1).primitives.single().shade(fragment)
         assertEquals(listOf(0.75f, -3f, 1f), listOf(fragment.red, fragment.green, fragment.blue))
-    }
-
-    @Test
-    fun rule_6_1_aPolygonIsColouredAsATriangleOfAMesh() {
-        val random = Random(7)
-        var samples = 0
-        for (material in materials()) {
-            if (material.alphaMode == AlphaMode.MASK) continue
-            val positions = FloatArray(9) { (random.nextFloat() * 2 - 1) * if (it % 3 == 2) 0.3f else 1.5f }
-            val uvs = FloatArray(6) { random.nextFloat() * 3 - 1 }
-            val colors = FloatArray(12) { random.nextFloat() }
-            val corners = List(3) { i ->
-                Vertex(
-                    positions[3 * i].toDouble(), positions[3 * i + 1].toDouble(), positions[3 * i + 2].toDouble(),
-                    uvs[2 * i], uvs[2 * i + 1],
-                    Rgba(colors[4 * i], colors[4 * i + 1], colors[4 * i + 2], colors[4 * i + 3]),
-                )
-            }
-            val mesh = Mesh(positions, intArrayOf(0, 1, 2), material, null, uvs, colors)
-            val frame = Scene(listOf(mesh, Polygon(listOf(corners), material)), lights, camera).frame(16, 16)
-            val (triangle, polygon) = frame.primitives
-            val covered = triangle.samples(frame.raster)
-            assertEquals(covered, polygon.samples(frame.raster))
-            for (place in 0 until 16 * 16) {
-                if (!covered[place % 16, place / 16]) continue
-                samples++
-                val (expected, actual) = listOf(triangle, polygon).map { primitive ->
-                    val fragment = Fragment()
-                    fragment.moveTo(place % 16, place / 16)
-                    primitive.shade(fragment)
-                    listOf(fragment.red, fragment.green, fragment.blue, fragment.alpha)
-                }
-                assertEquals(expected, actual)
-            }
-        }
-        assertTrue(samples > 200) { "$samples" }
     }
 
     /** Filters round an alpha that is the same everywhere. */

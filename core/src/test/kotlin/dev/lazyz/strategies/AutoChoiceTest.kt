@@ -18,7 +18,6 @@ import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -61,14 +60,6 @@ class AutoChoiceTest {
     }
 
     @Test
-    fun numbersOfManyTrianglesAreEstimates() {
-        val numbers = FrameNumbers.of(frame(256, grid(100)))
-        assertEquals(20_000L, numbers.primitives)
-        assertEquals(1.0, numbers.depthComplexity, 0.05)
-        assertEquals(256.0 / 100, numbers.primitiveRows / numbers.primitives, 0.1)
-    }
-
-    @Test
     fun numbersOfASphereAndOfARegion() {
         val frame = frame(64, sphere(Material()))
         val numbers = FrameNumbers.of(frame)
@@ -78,13 +69,6 @@ class AutoChoiceTest {
         val half = FrameNumbers.of(frame(64, grid(1)).within(Region(0, 0, 64, 32)))
         assertEquals(1.0, half.depthComplexity, 1e-3)
         assertEquals(64.0, half.primitiveRows, 1e-6)
-    }
-
-    @Test
-    fun anEmptyFrameHasNumbersAndARenderer() {
-        val numbers = FrameNumbers.of(frame(8))
-        assertEquals(0.0, numbers.fragments)
-        assertNotNull(Renderers.auto(frame(8)))
     }
 
     @Test
@@ -113,13 +97,6 @@ class AutoChoiceTest {
         }
         val tiny = Renderers.auto(frame(4, grid(1)), RenderOptions(threads = 1)).id
         assertTrue(tiny != "tiled") { "tiles for 16 samples" }
-    }
-
-    @Test
-    fun allRenderersAreEstimatedByAscendingTime() {
-        val estimates = Renderers.estimates(frame(512, grid(20)))
-        assertEquals(Renderers.all().size, estimates.all.size)
-        assertEquals(estimates.all.sortedBy { it.milliseconds }, estimates.all)
     }
 
     @Test
@@ -160,12 +137,6 @@ class AutoChoiceTest {
     }
 
     @Test
-    fun theImageIsPartOfTheMemory() {
-        val numbers = FrameNumbers(1000, 1000, 1, 1.0, 1.0)
-        assertEquals(12e6, StrategyMemory.expected("zbuffer", numbers), 0.6e6)
-    }
-
-    @Test
     fun aBudgetBoundsTheMemory() {
         val layers = FrameNumbers(1000, 1000, 1000, 1e6, 1e9)
         val least = 12e6 + 1000 + 256 * 1000
@@ -175,13 +146,6 @@ class AutoChoiceTest {
         val unbounded = StrategyMemory.expected("hybrid", FrameNumbers.of(frame)).toLong()
         val bounded = Renderers.estimates(frame, RenderOptions(memoryBudget = 1000), memory = unbounded - 1)
         assertEquals(null, bounded.all.single { it.renderer.id == "hybrid" }.ruledOut)
-    }
-
-    @Test
-    fun threadsMakeOnlyParallelOnesFaster() {
-        val numbers = FrameNumbers.of(frame(512, grid(20)))
-        assertEquals(StrategyModel.milliseconds("zbuffer", numbers), StrategyModel.milliseconds("zbuffer", numbers, 8))
-        assertTrue(StrategyModel.milliseconds("tiled", numbers, 8) <= StrategyModel.milliseconds("tiled", numbers))
     }
 
     @Test

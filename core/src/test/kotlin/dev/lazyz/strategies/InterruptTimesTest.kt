@@ -17,6 +17,8 @@ import java.util.concurrent.atomic.AtomicReference
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /**
  * How much processor time the threads of the library take after an interrupt, while they set up, sort, draw, shade and
@@ -63,14 +65,16 @@ class InterruptTimesTest {
                 end.set(threads.currentThreadCpuTime)
             }
         }
-        val before = helpers()
         thread.start()
         while (thread.isAlive && threads.getThreadCpuTime(thread.id) < moment * 1_000_000L) Thread.sleep(1)
-        val start = threads.getThreadCpuTime(thread.id) + helpers() - before
         thread.interrupt()
+
+        // Read after the interrupt, because a busy machine may let this thread wait before it; negative at the end
+        val reached = threads.getThreadCpuTime(thread.id)
+        val helped = helpers()
         thread.join()
-        return (checkNotNull(end.get()) { "ended without an InterruptedException" } + helpers() - before - start) /
-            1_000_000
+        val last = checkNotNull(end.get()) { "ended without an InterruptedException" }
+        return if (reached < 0) 0 else (last - reached + helpers() - helped) / 1_000_000
     }
 
     /** Processor time of the library's own threads. */
@@ -87,6 +91,7 @@ class InterruptTimesTest {
 
     @Test
     @Timeout(600)
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun allStrategiesEnd() {
         for (renderer in Renderers.builtIn) {
             assertShort(renderer.id) { renderer.render(scene(relief).frame(raster)) { _, _, _, _ -> } }
@@ -95,6 +100,7 @@ class InterruptTimesTest {
 
     @Test
     @Timeout(600)
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun blendingEnds() {
         val glass = scene(relief(Material(Rgba.WHITE.withAlpha(0.1f), alphaMode = AlphaMode.BLEND)))
         for (id in listOf("tiled", "lists", "scanline", "painter")) {
@@ -105,6 +111,7 @@ class InterruptTimesTest {
 
     @Test
     @Timeout(600)
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun setUpFiltersDrawingsAndShadowsEnd() {
         val renderer = Renderers.builtIn.first { it.id == "zbuffer" }
         val filtered = SuperSampling(4, rate = ShadingRate.PIXEL)

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 class StrategiesProperties {
     private val renderers = Renderers.builtIn + HierarchicalRenderer(order = Order.SUBMISSION)
 
-    @Property(tries = 500, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 200, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_thePictureIsTheZBuffers(@ForAll seed: Long, @ForAll coherence: Coherence) {
         val frame = AwkwardFrames(seed).frame()
         val expected = ZBufferRenderer().render(frame)
@@ -44,7 +44,7 @@ class StrategiesProperties {
         }
     }
 
-    @Property(tries = 500, seed = "1972", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 200, seed = "1972", edgeCases = EdgeCasesMode.NONE)
     fun rule_5_5_translucentPrimitivesBlendLikeTheLists(@ForAll seed: Long, @ForAll coherence: Coherence) {
         val frame = AwkwardFrames(seed, 40).translucent()
         if (!frame.hasTranslucency) return

@@ -14,6 +14,7 @@ import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.CsvSource
 
@@ -26,6 +27,7 @@ class StrategyCostsTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aCityCostsFewerDepthsThanFragments() {
         val city = Stacks.city(640, 360, blocks = 16)
         val most = mapOf("scanline" to 0.25, "warnock" to 0.4, "hierarchical" to 0.5, "painter" to 0.5)
@@ -78,6 +80,7 @@ class StrategyCostsTest {
 
     /** More rows have more primitives; but for a sorted list, memory is the same. Tiled bins them: see its own test. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun memoryDoesNotGrowWithTheRows() {
         val all = Renderers.builtIn.filter { Capability.CONSTANT_MEMORY in it.capabilities && it.id != "tiled" }
         for (renderer in all) {

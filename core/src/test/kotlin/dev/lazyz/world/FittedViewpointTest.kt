@@ -149,43 +149,6 @@ class FittedViewpointTest {
         assertThrows<IllegalArgumentException> { changed.withElevation(91.0) }
     }
 
-    /** The picture does not turn on the way to the pole, and stays upright there. */
-    @Test
-    fun nearThePoleTheRightSideIsThatOfTheAzimuth() {
-        for (origin in listOf(Vector3d(), Vector3d(1e5, 2e5, -3e5))) {
-            val triangle = floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 2f, 3f)
-            val scene = Scene(listOf(Mesh(triangle, intArrayOf(0, 1, 2), origin = origin)))
-            for (azimuth in listOf(0.0, 30.0, -135.0, 260.0)) {
-                val a = Math.toRadians(azimuth)
-                val expected = Vector3d(Math.cos(a), 0.0, -Math.sin(a))
-                for (elevation in listOf(20.0, 89.9, 89.999, 89.9999, 89.99995, 89.99999, 89.999999999, 90.0)) {
-                    for (sign in listOf(-1.0, 1.0)) {
-                        for (kind in Fit.entries) {
-                            val camera = Camera.fit(azimuth, sign * elevation, kind = kind).camera(scene, 1.0)
-                            val right = camera.toWorldDirection(1.0, 0.0, 0.0)
-                            assertEquals(0.0, right.distance(expected), 1e-5) { "$azimuth, $elevation, $kind: $right" }
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    /** Up to the widest angle, round bodies fill the image, and boxes from the usual direction. */
-    @Test
-    fun theWidestAngleFillsTheImage() {
-        val corners = FloatArray(24) { if (it / 3 shr it % 3 and 1 == 0) -1f else 1f }
-        val points = List(8) { Vector3d(corners[3 * it] + 0.0, corners[3 * it + 1] + 0.0, corners[3 * it + 2] + 0.0) }
-        val box = Scene(listOf(Mesh(corners, intArrayOf(0, 1, 2, 3, 4, 5, 6, 7, 0))))
-        val widest = Camera.fit(fieldOfView = Camera.MAX_FITTED_FIELD_OF_VIEW)
-        val camera = widest.camera(box, 1.0)
-        assertEquals(1.0, points.maxOf { inImage(it, camera, 1.0, scaleOf(widest)).y }, 1e-9)
-        val sphere = Sphere(Vector3d(), 1.0)
-        val slope = Math.tan(Math.toRadians(Camera.MAX_FITTED_FIELD_OF_VIEW / 2)) * scaleOf(widest)
-        val distance = widest.camera(Scene(listOf(sphere)), 1.0).eye.length()
-        assertEquals(1.0, distance * slope / Math.sqrt(1 + slope * slope), 1e-9)
-    }
-
     @Test
     fun verticesThatAreNotFiniteDoNotCount() {
         val clean = Mesh(floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 2f, 0f), intArrayOf(0, 1, 2))
@@ -196,18 +159,6 @@ class FittedViewpointTest {
                 val expected = Camera.fit().camera(Scene(listOf(clean)), 1.0)
                 assertEquals(expected.toString(), Camera.fit().camera(Scene(listOf(spoilt)), 1.0).toString())
             }
-        }
-    }
-
-    @Test
-    fun verticesThatNothingUsesDoNotCount() {
-        val used = floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 2f, 0f)
-        val more = used + floatArrayOf(9f, -9f, 9f)
-        val corners = intArrayOf(0, 1, 2)
-        for (fit in Fit.entries) {
-            fun camera(surface: Surface) = Camera.fit(kind = fit).camera(Scene(listOf(surface)), 1.0).toString()
-            assertEquals(camera(Mesh(used, corners)), camera(Mesh(more, corners)))
-            assertEquals(camera(Lines(used, intArrayOf(0, 1, 1, 2))), camera(Lines(more, intArrayOf(0, 1, 1, 2))))
         }
     }
 
@@ -231,21 +182,5 @@ class FittedViewpointTest {
         }
         val hashes = frames.map { ZBufferRenderer().render(it).pixelHash() }
         assertEquals(1, hashes.distinct().size, "$hashes")
-    }
-
-    @Test
-    fun theFarthestVertexIsFoundAmongManyBlocks() {
-        repeat(30) {
-            val xyz = positions(5000)
-            val points = Points(xyz)
-            repeat(30) {
-                val direction = Vector3d(random.nextGaussian(), random.nextGaussian(), pick(0.0, random.nextGaussian()))
-                val most = (xyz.indices step 3).maxOf {
-                    direction.x * xyz[it] + direction.y * xyz[it + 1] + direction.z * xyz[it + 2]
-                }
-                val found = points.farthest(direction)!!
-                assertEquals(most, direction.x * found.x + direction.y * found.y + direction.z * found.z)
-            }
-        }
     }
 }

@@ -5,7 +5,6 @@ import dev.lazyz.Rgba
 import dev.lazyz.asOpaque
 import dev.lazyz.geometry.Box
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
@@ -85,27 +84,6 @@ class OriginTest {
         assertThrows(IllegalArgumentException::class.java) {
             SetUp(Raster(1, 1), Camera.screen(), emptyList(), Vector3d(0.0, 1.0, 0.0))
         }
-    }
-
-    @Test
-    fun onTheScreenPositionsAreWhereTheyAre() {
-        val corners = floatArrayOf(0f, 0f, 0f, 8f, 0f, 0f, 0f, 8f, 0f)
-        val mesh = Mesh(corners, intArrayOf(0, 1, 2), origin = Vector3d(4.0, 4.0, 0.5))
-        val image = ZBufferRenderer().render(Scene(listOf(mesh), viewpoint = Camera.screen()).frame(16, 16))
-        assertEquals(0, image.primitive(4, 4))
-        assertEquals(-1, image.primitive(3, 4))
-        assertEquals(-1, image.primitive(12, 12))
-    }
-
-    @Test
-    fun tinyModelsAreAsVisibleAsLargeOnes() {
-        val sizes = listOf(1f, 1e-12f, 1e-20f, 1e-30f, 1e12f)
-        val visible = sizes.map { size ->
-            val mesh = bumps(Vector3d())
-            val scaled = Mesh(FloatArray(mesh.positions.size) { mesh.positions[it] * size }, mesh.triangles)
-            ZBufferRenderer().render(Scene(listOf(scaled)).frame(128, 128)).visible
-        }
-        for (count in visible) assertEquals(visible[0].toDouble(), count.toDouble(), 20.0)
     }
 
     private fun everything(place: Vector3d): Scene {

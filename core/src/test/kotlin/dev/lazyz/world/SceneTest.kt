@@ -21,8 +21,6 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class SceneTest {
-    private val far = Vector3d(1048576.0, -4194304.0, 524288.0)
-
     private fun square(origin: Vector3d): Mesh {
         val corners = floatArrayOf(-1f, -1f, 0f, 1f, -1f, 0f, 1f, 1f, 0f, -1f, 1f, 0f)
         return Mesh(corners, intArrayOf(0, 1, 2, 0, 2, 3), Material(), origin = origin)
@@ -78,15 +76,6 @@ class SceneTest {
         assertEquals(expected, answer) { "$up" }
     }
 
-    @Test
-    fun theVisibilityOfAmbientLightTurnsWithTheScene() {
-        for (up in UpAxis.entries) {
-            for (origin in listOf(Vector3d(), far)) {
-                assertTurns(Scene(listOf(square(origin))).withAmbientVisibility(named), up, Vector3d())
-            }
-        }
-    }
-
     /** A custom surface can become one with an origin; points are relative to the origin of their scene. */
     @Test
     fun theVisibilityIsAskedAboutPointsRelativeToItsOwnOrigin() {
@@ -112,19 +101,5 @@ class SceneTest {
         for (up in UpAxis.entries) {
             assertEquals(expected, ZBufferRenderer().render(hollow.withUpAxis(up).frame(40, 40))) { "$up" }
         }
-    }
-
-    /** The product of both factors can be more than a float can hold. */
-    @Test
-    fun veryBrightEnvironmentsCanBeMadeBrighter() {
-        val metal = Mesh(
-            square(Vector3d()).positions, intArrayOf(0, 1, 2, 0, 2, 3), Material(Rgba.WHITE).asMetallicRoughness(),
-        )
-        fun picture(environment: Float, light: Float) = ZBufferRenderer().render(
-            Scene(listOf(metal), viewpoint = Camera.fit(0.0, 0.0)).withEnvironment(Environment.studio(environment))
-                .withLightIntensity(light).frame(20, 20),
-        )
-        assertEquals(324, picture(1e30f, 1e30f).visible)
-        assertEquals(picture(1e30f, 1e30f), picture(Float.MAX_VALUE, 1e30f))
     }
 }

@@ -6,12 +6,12 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 
 /** Files made to take long are read in linear time. */
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
 class LinearTimeTest {
     private fun meshes(bytes: ByteArray, format: SceneFormat): List<Mesh> =
         Scenes.load(bytes.inputStream(), format).scene.surfaces.map { it as Mesh }

@@ -151,14 +151,6 @@ class LoadLimitsTest {
     }
 
     @Test
-    fun builtinScenesAreCountedBeforeTheyAreMade() {
-        val teapots = List(100) { """{"builtin": {"name": "teapot", "segments": 256}}""" }
-        val text = """{"lazyz": 1, "surfaces": [${teapots.joinToString()}]}"""
-        val path = Files.writeString(folder.resolve("a.json"), text)
-        assertTrue("--max-decoded" in message(path, LoadLimits(decodedBytes = 1000)))
-    }
-
-    @Test
     fun filesOutsideAreReadOnlyIfThatIsAllowed() {
         val inner = Files.createDirectory(folder.resolve("inner"))
         Files.write(folder.resolve("square.obj"), squares.getValue("square.obj"))

@@ -18,6 +18,7 @@ class LoadingMemoryTest {
     lateinit var folder: Path
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun closedMeshesFitIntoTheMemoryThatIsPromised() {
         val ply = Files.write(folder.resolve("a.ply"), grid(PLY_SIDE))
         assertEquals("loaded", LoadInChild.run(ply, Files.size(ply) * 11 / 2))
@@ -44,6 +45,7 @@ class LoadingMemoryTest {
 
     /** The memory for decoding is that of one texture. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun severalLargeTexturesFitOrAreRefused() {
         val side = 1024
         val names = List(5) { "$it.png" }

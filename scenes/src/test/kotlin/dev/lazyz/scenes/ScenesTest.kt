@@ -3,8 +3,6 @@ package dev.lazyz.scenes
 import dev.lazyz.scenes.formats.FormatSniffer
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.world.surface.Mesh
-import java.io.IOException
-import java.io.InputStream
 import java.nio.file.Files
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -101,25 +99,6 @@ class ScenesTest {
         val locked = file("locked.json", "{}")
         assumeTrue(locked.toFile().setReadable(false) && !Files.isReadable(locked), "all is permitted to this user")
         assertTrue("permission denied" in message(locked), message(locked))
-    }
-
-    @Test
-    fun aStreamIsReadToItsEnd() {
-        val loaded = Scenes.load("""{"lazyz": 1, "size": [1, 2]}""".byteInputStream(), SceneFormat.SCENE)
-        assertEquals(ImageSize(1, 2), loaded.size)
-    }
-
-    @Test
-    fun aStreamThatFailsIsAnError() {
-        val broken = object : InputStream() {
-            override fun read(): Int = throw IOException("unplugged")
-        }
-        val error = assertThrows<SceneReadException> { Scenes.load(broken, SceneFormat.OBJ, "pipe") }
-        assertEquals("pipe: cannot be read: unplugged", error.message)
-        val empty = assertThrows(SceneFormatException::class.java) {
-            Scenes.load(InputStream.nullInputStream(), SceneFormat.STL)
-        }
-        assertTrue("is empty" in empty.message.orEmpty(), empty.message)
     }
 
     private fun message(path: Path): String =

@@ -27,7 +27,7 @@ class PageCommandsTest {
 
     /** Returns those of the [blocks] of [page] that are run. Blocks use files of those before them on their page. */
     private fun run(page: String, blocks: List<FencedBlock>): List<FencedBlock> {
-        val usual = if (page in NEWCOMERS) blocks.take(2) else emptyList()
+        val usual = if (page in NEWCOMERS) blocks.take(1) else emptyList()
         return when {
             effort == null -> usual
             effort == "rest" && usual.size == blocks.size -> emptyList()

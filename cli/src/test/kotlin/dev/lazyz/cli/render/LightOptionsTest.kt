@@ -136,7 +136,7 @@ class LightOptionsTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun theGroundIsDarkerBelowTheModel() {
         val without = argb(cubes, "--elevation", "30")
         val with = argb(cubes, "--elevation", "30", "--ground-shadow")
@@ -201,7 +201,7 @@ class LightOptionsTest {
 
     /** A floor of the model is not hidden by the ground. */
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aFloorAtTheLowestPointIsVisible() {
         val floor = folder.resolve("floor.obj")
         floor.writeText("v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nf 4 3 2 1\n")

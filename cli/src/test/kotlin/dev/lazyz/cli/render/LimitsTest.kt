@@ -15,10 +15,9 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class LimitsTest {
     @TempDir
     lateinit var folder: Path
@@ -49,6 +48,7 @@ class LimitsTest {
 
     /** Many layers that cover the picture take minutes, although the file is small. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun theTimeIsThatOfReadingAndRendering() {
         val scene = folder.resolve("layers.json")
         scene.writeText(

@@ -109,7 +109,7 @@ class MemoryOptionTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun adviceFitsTheCause() {
         val out = folder.resolve("a.png")
         model.writeBytes(Hills(30).stl())

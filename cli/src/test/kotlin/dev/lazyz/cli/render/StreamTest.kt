@@ -120,7 +120,7 @@ class StreamTest {
 
     /** Without --stream the model is refused. */
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aModelLargerThanTheHeapIsShown() {
         model.writeBytes(Hills(900).stl())
         val options = listOf("--shading", "flat", "--aa", "1", "--size", "80x60")

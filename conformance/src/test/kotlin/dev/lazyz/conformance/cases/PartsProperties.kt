@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
  * any order. Tests the laws of the minimum of a total order over random splits.
  */
 class PartsProperties {
-    @Property(tries = 500, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 200, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_5_1_partsByPrimitivesMergeInAnyOrder(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -29,7 +29,7 @@ class PartsProperties {
         assertEquals(whole(frame), merge(byPrimitives(frame, random), frame, random)) { "$case" }
     }
 
-    @Property(tries = 500, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 200, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_5_1_partsByRegionsMergeInAnyOrder(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -40,7 +40,7 @@ class PartsProperties {
         assertEquals(whole(frame), merge(parts, frame, random)) { "$case" }
     }
 
-    @Property(tries = 200, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 100, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_5_5_translucentFramesMergeByRegions(
         @ForAll(supplier = TranslucentCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -51,7 +51,7 @@ class PartsProperties {
         assertEquals(ReferenceRenderer().render(frame), merge(parts, frame, random)) { "$case" }
     }
 
-    @Property(tries = 200, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 100, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_5_1_mergingHasItsLaws(@ForAll(supplier = MixedCases::class) case: FrameCase, @ForAll salt: Long) {
         val random = Random(salt)
         val frame = case.frame

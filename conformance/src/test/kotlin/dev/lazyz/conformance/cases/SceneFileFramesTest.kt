@@ -55,7 +55,7 @@ class SceneFileFramesTest {
         return Arbitraries.oneOf(kinds).withoutEdgeCases()
     }
 
-    @Property(seed = "1995", tries = 400)
+    @Property(seed = "1995", tries = 150)
     fun sceneFileIsTheFrame(@ForAll("cases") case: FrameCase, @ForAll salt: Long) {
         assertSame(case)
 
@@ -85,7 +85,7 @@ class SceneFileFramesTest {
 
     private fun picture(frame: Frame) = Recording.of(ReferenceRenderer(), frame).image
 
-    @Property(seed = "1995", tries = 300)
+    @Property(seed = "1995", tries = 100)
     fun polygonsOnTheScreenHaveOne(@ForAll("polygons") case: FrameCase) {
         assertNotNull(case.sceneFile())
         assertEquals(Camera.screen().projection, (case.scene?.viewpoint as Camera).projection)

@@ -2,8 +2,18 @@ package dev.lazyz.conformance.frames
 
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
+import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.spi.Spans
+import java.util.Random
+import net.jqwik.api.Arbitrary
+
+/** The first [count] of [frames], the same in every run. */
+internal fun some(frames: Arbitrary<FrameCase>, count: Int): List<FrameCase> {
+    val generator = frames.generator(1000)
+    val random = Random(1995)
+    return List(count) { generator.next(random).value() }
+}
 
 /** A property of a frame's picture, for statistics of distributions. */
 internal enum class PictureTrait {

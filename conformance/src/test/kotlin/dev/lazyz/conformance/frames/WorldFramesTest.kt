@@ -2,13 +2,9 @@ package dev.lazyz.conformance.frames
 
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
-import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.mutants.coversAnything
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.spi.Spans
-import dev.lazyz.world.surface.Mesh
-import java.util.Random
-import net.jqwik.api.Arbitrary
 import net.jqwik.api.Example
 import org.junit.jupiter.api.Assertions.assertTrue
 
@@ -17,7 +13,7 @@ class WorldFramesTest {
     @Example
     fun scenesAreWorthTheEffort() {
         for ((name, cases) in listOf("world" to WorldCases(), "long" to LongRowCases(), "blended" to BlendedCases())) {
-            val worth = Worth(some(cases.get(), 500).map { it.frame.asOpaque() })
+            val worth = Worth(some(cases.get(), 150).map { it.frame.asOpaque() })
             assertTrue(worth.blank < 0.07) { "$name: $worth" }
             assertTrue(worth.nothing < 0.22) { "$name: $worth" }
             assertTrue(worth.layers >= 1.5) { "$name: $worth" }
@@ -78,11 +74,5 @@ class WorldFramesTest {
         override fun toString(): String = "%.3f of the frames are blank, %.3f of the primitives cover nothing, "
             .format(blank, nothing) + "%.2f fragments a sample, %.3f of the visible have colours; %d primitives"
             .format(layers, colorful, primitives)
-    }
-
-    private fun some(frames: Arbitrary<FrameCase>, count: Int): List<FrameCase> {
-        val generator = frames.generator(1000)
-        val random = Random(1995)
-        return List(count) { generator.next(random).value() }
     }
 }

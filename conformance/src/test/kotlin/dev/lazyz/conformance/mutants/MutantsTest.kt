@@ -20,7 +20,7 @@ class MutantsTest {
      * [TestEffort].
      */
     @TestFactory
-    fun mistakeIsNoticed(): List<DynamicTest> = TestEffort.sample(20, Mistakes.all).map { mistake ->
+    fun mistakeIsNoticed(): List<DynamicTest> = TestEffort.sample(35, Mistakes.all).map { mistake ->
         dynamicTest(mistake.id) {
             val missed = missed(mistake, mistake.noticedBy)
 

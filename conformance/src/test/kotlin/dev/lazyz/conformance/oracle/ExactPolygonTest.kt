@@ -7,59 +7,6 @@ import org.junit.jupiter.api.Test
 
 class ExactPolygonTest {
     @Test
-    fun samplesOnTheUpperAndTheLeftEdgeAreInside() {
-        // From sample (1, 1) to sample (4, 3)
-        val square =
-            ExactPolygon(listOf(intArrayOf(384, 384, 0, 1152, 384, 0, 1152, 896, 0, 384, 896, 0)), FillRule.NON_ZERO)
-        assertEquals(listOf("......", ".###..", ".###..", "......"), picture(square, 6, 4))
-    }
-
-    @Test
-    fun sampleOnADiagonalBelongsToTheTriangleOnItsRight() {
-        val left = ExactPolygon(listOf(intArrayOf(0, 0, 0, 1024, 1024, 0, 0, 1024, 0)), FillRule.NON_ZERO)
-        val right = ExactPolygon(listOf(intArrayOf(0, 0, 0, 1024, 0, 0, 1024, 1024, 0)), FillRule.NON_ZERO)
-        assertEquals(listOf("....", "#...", "##..", "###."), picture(left, 4, 4))
-        assertEquals(listOf("####", ".###", "..##", "...#"), picture(right, 4, 4))
-    }
-
-    @Test
-    fun vertexOnASampleBelongsToThePolygonOnItsRightAndBelow() {
-        // Each has a corner on the sample of (1, 0), (0, 1), (2, 1), (1, 2), in this order
-        val below = ExactPolygon(listOf(intArrayOf(384, 128, 0, 640, 640, 0, 128, 640, 0)), FillRule.NON_ZERO)
-        val right = ExactPolygon(listOf(intArrayOf(128, 384, 0, 640, 128, 0, 640, 640, 0)), FillRule.NON_ZERO)
-        val left = ExactPolygon(listOf(intArrayOf(640, 384, 0, 128, 128, 0, 128, 640, 0)), FillRule.NON_ZERO)
-        val above = ExactPolygon(listOf(intArrayOf(384, 640, 0, 128, 128, 0, 640, 128, 0)), FillRule.NON_ZERO)
-        assertEquals(listOf("...", ".#.", "..."), picture(below, 3, 3))
-        assertEquals(listOf("...", "##.", "..."), picture(right, 3, 3))
-        assertEquals(listOf("...", "##.", "..."), picture(left, 3, 3))
-        assertEquals(listOf("##.", ".#.", "..."), picture(above, 3, 3))
-    }
-
-    @Test
-    fun horizontalEdgeOnSamplesBelongsToWhatLiesBelow() {
-        val upper = ExactPolygon(listOf(intArrayOf(0, 0, 0, 768, 0, 0, 768, 384, 0, 0, 384, 0)), FillRule.NON_ZERO)
-        val lower = ExactPolygon(listOf(intArrayOf(0, 384, 0, 768, 384, 0, 768, 768, 0, 0, 768, 0)), FillRule.NON_ZERO)
-        assertEquals(listOf("###", "...", "..."), picture(upper, 3, 3))
-        assertEquals(listOf("...", "###", "###"), picture(lower, 3, 3))
-    }
-
-    @Test
-    fun selfCrossingContourIsInsideOnBothSidesOfTheCrossing() {
-        val tie = listOf(intArrayOf(0, 0, 0, 768, 768, 0, 768, 0, 0, 0, 768, 0))
-        for (rule in FillRule.entries) {
-            assertEquals(listOf("..#", "###", "..#"), picture(ExactPolygon(tie, rule), 3, 3))
-        }
-    }
-
-    @Test
-    fun contourThatGoesRoundTwiceIsEmptyByEvenOdd() {
-        val square = intArrayOf(0, 0, 0, 512, 0, 0, 512, 512, 0, 0, 512, 0)
-        val twice = listOf(square + square)
-        assertEquals(listOf("..", ".."), picture(ExactPolygon(twice, FillRule.EVEN_ODD), 2, 2))
-        assertEquals(listOf("##", "##"), picture(ExactPolygon(twice, FillRule.NON_ZERO), 2, 2))
-    }
-
-    @Test
     fun fillRuleDecidesWhereContoursOverlap() {
         val contours = listOf(
             intArrayOf(0, 0, 0, 1280, 0, 0, 1280, 768, 0, 0, 768, 0),

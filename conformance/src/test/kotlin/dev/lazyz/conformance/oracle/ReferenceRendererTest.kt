@@ -19,16 +19,6 @@ class ReferenceRendererTest {
     }
 
     @Test
-    fun lastWinsTiesAgainstPrimitivesAndBackground() {
-        assertEquals(listOf(-1, 0, 1, 1, 2, 3), visible(DepthTest.LESS_OR_EQUAL, 100))
-    }
-
-    @Test
-    fun greatestDepthIsVisibleAndTiesGoToTheFirst() {
-        assertEquals(listOf(-1, 0, 0, 2, 2, 3), visible(DepthTest.GREATER, 0))
-    }
-
-    @Test
     fun greatestDepthIsVisibleAndTiesGoToTheLast() {
         assertEquals(listOf(-1, 0, 1, 2, 2, 3), visible(DepthTest.GREATER_OR_EQUAL, 0))
     }

@@ -72,7 +72,7 @@ class SetUpIsExactTest {
         }
     }
 
-    @Property(tries = 500, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 200, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun primitivesKeepTheirPromises(@ForAll("frames") case: FrameCase) {
         for (primitive in case.frame.primitives) {
             for (y in 0 until case.frame.height) {

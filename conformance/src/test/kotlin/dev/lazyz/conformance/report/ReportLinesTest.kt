@@ -76,16 +76,8 @@ class ReportLinesTest {
     }
 
     @Test
-    fun summaryCountsOneOfAThing() {
-        val one = Conformance { PlainRenderer() }.tries(0.001).rule(nearest).run().toText()
-        assertTrue("\n1 frame, of which\n" in one, one)
-        assertTrue("plain conforms: 1 rule, 1 passed; " in one, one)
-        assertTrue("4 rules, " in report.toText())
-    }
-
-    @Test
     fun summaryReportsHowManyFramesWereNotLookedAt() {
-        val long = Conformance { PlainRenderer() }.tries(1.0).rule("rule_9_4_indicesAreNotTruncated").run()
+        val long = Conformance { PlainRenderer() }.tries(0.001).rule("rule_9_4_indicesAreNotTruncated").run()
         assertTrue(long.distribution.unexamined > 0, "${long.distribution}")
         assertTrue("${long.distribution.unexamined}  not looked at\n" in long.toText(), long.toText())
         assertTrue("not looked at" !in report.toText())

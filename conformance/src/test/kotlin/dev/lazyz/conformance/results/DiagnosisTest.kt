@@ -8,14 +8,12 @@ import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.Mistakes
 import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.wrappers.BasicMistakes
-import dev.lazyz.conformance.mutants.wrappers.MannerMistakes
 import dev.lazyz.conformance.rules.Symptom
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.readLines
 import kotlin.io.path.writeLines
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
@@ -90,25 +88,6 @@ class DiagnosisTest {
     }
 
     @Test
-    fun symptomThatARuleMakesItselfSaysNothing() {
-        val region = arrayOf(Symptom.PICTURE, Symptom.REGION)
-        val plain = arrayOf(Symptom.PICTURE)
-        val first = causes(broken(names.region, *region), broken(names.nearest, *plain), broken(names.own, *plain))
-        assertEquals(names.nearest, first.first())
-        assertEquals(listOf(names.region), causes(broken(names.region, *region)))
-    }
-
-    @Test
-    fun failuresThatShowNoSymptomExplainNothing() {
-        val failed = listOf(names.lostCounts, names.lost).map {
-            Diagnosis.Broken(checkNotNull(SuiteRule.find(it)), null)
-        }
-        for (cause in Diagnosis.ofBroken(failed).causes) {
-            assertEquals("the failures of the other rules do not explain this one", cause.why)
-        }
-    }
-
-    @Test
     fun whatOnlyShouldBeIsNamedAfterWhatMust() {
         val counters = arrayOf(Symptom.COUNTERS)
         val causes = causes(broken(names.memoryReport, *counters), broken(names.passes, *counters))
@@ -135,23 +114,6 @@ class DiagnosisTest {
         val tied = listOf(names.nearest, names.ties, names.own, names.options).map { broken(it, *ties) }
         assertEquals(names.ties, Diagnosis.ofBroken(tied).causes.first().rule.name)
         assertTrue(Diagnosis.ofBroken(tied).causes.indexOfFirst { it.rule.name == names.nearest } != 1)
-    }
-
-    @Test
-    fun rowsInAnotherOrderAreTheCause() {
-        val report = Conformance { BasicMistakes.bottomUp() }.tries(0.1).withoutShrinking()
-            .rule(names.rows).rule(names.region).rule(names.together).run()
-        assertEquals(names.rows, report.diagnosis.causes.first().rule.name, report.toText())
-        assertFalse("wrong only after other frames" in report.toText(), report.toText())
-    }
-
-    @Test
-    fun configuredThatChangesItsRendererIsTheCause() {
-        val report = Conformance { MannerMistakes.configuresItself() }.tries(0.1).withoutShrinking()
-            .rule(names.options).rule(names.selects).rule("6.1").run()
-        val cause = report.diagnosis.causes.first()
-        assertEquals(names.options, cause.rule.name, report.toText())
-        assertTrue("configured() changes the renderer itself" in report.toText(), report.toText())
     }
 
     @Test

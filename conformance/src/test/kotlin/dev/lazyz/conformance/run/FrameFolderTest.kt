@@ -24,9 +24,11 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** The user's folder of frames. */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class FrameFolderTest {
     @TempDir
     lateinit var folder: Path

@@ -26,7 +26,10 @@ import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** Whatever a renderer does, a run ends and reports it. */
@@ -34,9 +37,18 @@ class RunTest {
     private val nearest = "rule_5_1_nearestFragmentIsVisible"
     private val ties = "rule_5_2_tiesGoToTheFirstSubmitted"
 
-    private fun of(make: () -> Renderer) = Conformance(make).tries(0.1).deadline(Duration.ofMillis(300))
+    private fun of(make: () -> Renderer) = Conformance(make).tries(0.1)
+
+    private fun Conformance.impatient() = deadline(Duration.ofMillis(300))
 
     private fun nearest(make: () -> Renderer): RuleResult = of(make).rule(nearest).run().results.single()
+
+    /** A machine that is too busy gives no verdict, so asks again, and skips the test if that goes on. */
+    private fun <T> verdict(isInconclusive: (T) -> Boolean, ask: () -> T): T {
+        val answer = generateSequence(ask).take(MOST_REQUESTS).firstOrNull { !isInconclusive(it) }
+        assumeTrue(answer != null, "the machine is too busy")
+        return answer!!
+    }
 
     private fun assertOutcome(expected: RuleOutcome, result: RuleResult) =
         assertEquals(expected, result.outcome) { result.message }
@@ -51,9 +63,11 @@ class RunTest {
             Triple(DisruptiveRenderers.waits(), isAsleep, "thread never-done (WAITING)"),
         )
         for ((renderer, words, place) in hanging) {
-            // A machine that is too busy gives no verdict, so ask again
-            val results = generateSequence { nearest { renderer } }.take(MOST_REQUESTS)
-            val result = results.firstOrNull { it.outcome != RuleOutcome.INCONCLUSIVE } ?: return
+            // What is busy may get no processor for so long that it seems to be asleep
+            fun isStarved(result: RuleResult) = words == isBusy && isAsleep in result.message
+            val result = verdict({ it.outcome == RuleOutcome.INCONCLUSIVE || isStarved(it) }) {
+                of { renderer }.impatient().rule(nearest).run().results.single()
+            }
             assertOutcome(RuleOutcome.TIMED_OUT, result)
             assertTrue(words in result.message, result.message)
             assertTrue(place in result.message, result.message)
@@ -68,7 +82,9 @@ class RunTest {
     /** It gets no more processor time than on a machine that is very busy. */
     @Test
     fun whatIsNeitherBusyNorAsleepIsInconclusive() {
-        val run = of { DisruptiveRenderers.dozes() }.rule(nearest).run()
+        val run = verdict({ it.results.single().outcome == RuleOutcome.TIMED_OUT }) {
+            of { DisruptiveRenderers.dozes() }.impatient().rule(nearest).run()
+        }
         val result = run.results.single()
         assertOutcome(RuleOutcome.INCONCLUSIVE, result)
         assertTrue(result.message.startsWith("was not over after 3 s, but the machine gave it only 0"), result.message)
@@ -78,6 +94,7 @@ class RunTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun inconclusiveRunSaysSoInEveryReport(@TempDir folder: Path) {
         val journal = folder.resolve("journal")
         val rules = SuiteRule.matching("5.1").map { it.name }
@@ -110,7 +127,9 @@ class RunTest {
             },
         )
         for (make in hanging) {
-            val reported = assertThrows(NotMadeException::class.java) { of(make).run() }.message.orEmpty()
+            val reported = verdict({ "the machine gave it only" in it }) {
+                assertThrows(NotMadeException::class.java) { of(make).impatient().run() }.message.orEmpty()
+            }
             val words = "making the renderer was not over after 0.3 s in which no thread was running; it is at"
             assertTrue(reported.startsWith(words), reported)
             assertTrue("DisruptiveRenderers.never" in reported, reported)
@@ -118,6 +137,7 @@ class RunTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun listenerLearnsWhatCameOfEachRule() {
         val heard = ArrayList<String>()
         val run = of { WrongColors() }.rule("9.6").rule("5.2")
@@ -127,24 +147,30 @@ class RunTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun slowRendererIsNotTakenForHanging() {
-        val result = of {
-            object : PlainRenderer() {
-                override fun render(frame: Frame, sink: RowSink): Counters {
-                    Thread.sleep(100)
-                    return super.render(frame, sink)
-                }
+        val slow = object : PlainRenderer() {
+            override fun render(frame: Frame, sink: RowSink): Counters {
+                Thread.sleep(100)
+                return super.render(frame, sink)
             }
-        }.tries(0.01).rule("rule_5_3_everyDepthTestIsObeyed").run().results.single()
-        assertTrue(result.milliseconds > 300)
+        }
+        val result = verdict({ it.outcome == RuleOutcome.INCONCLUSIVE }) {
+            of { slow }.deadline(Duration.ofSeconds(1)).tries(0.01).rule("rule_5_3_everyDepthTestIsObeyed").run()
+                .results.single()
+        }
+        assertTrue(result.milliseconds > 1000)
         assertOutcome(RuleOutcome.PASSED, result)
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun otherRulesAreTriedUntilThreeHaveTimedOut() {
         val last = "rule_9_6_narrowRastersAreDrawnCorrectly"
         val rules = listOf("rule_1_3_movingByWholePixelsMovesThePicture", "5.1", ties, last)
-        val run = of { DisruptiveRenderers.sleeps() }.also { for (rule in rules) it.rule(rule) }.run()
+        val run = verdict({ it.isInconclusive }) {
+            of { DisruptiveRenderers.sleeps() }.impatient().also { for (rule in rules) it.rule(rule) }.run()
+        }
         val outcomes = run.results.map { it.outcome }
         assertEquals(3, outcomes.count { it == RuleOutcome.TIMED_OUT }) { run.toText() }
         assertTrue(outcomes.takeLast(2).all { it == RuleOutcome.NOT_RUN }, run.toText())
@@ -161,7 +187,7 @@ class RunTest {
             DisruptiveRenderers.dies() to "java.lang.ThreadDeath",
         )
         for ((renderer, error) in renderers) {
-            val run = of { renderer }.deadline(Duration.ofSeconds(20)).rule(nearest)
+            val run = of { renderer }.rule(nearest)
                 .rule("rule_9_6_framesWithoutPrimitivesShowTheBackground").run()
             assertOutcome(RuleOutcome.CRASHED, run.results.first())
             assertOutcome(RuleOutcome.PASSED, run.results.last())
@@ -193,6 +219,7 @@ class RunTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun shrinkingIsBoundedAndLeavesNoThread() {
         var calls = 0
         val before = Thread.getAllStackTraces().keys
@@ -216,6 +243,7 @@ class RunTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     fun runWhoseProcessEndedIsTakenUp(@TempDir folder: Path) {
         val journal = folder.resolve("journal")
         assertFalse(Journal.ended(journal, "exit code 3", RuleOutcome.CRASHED))

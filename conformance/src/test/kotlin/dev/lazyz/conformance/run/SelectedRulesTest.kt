@@ -1,7 +1,9 @@
 package dev.lazyz.conformance.run
 
+import dev.lazyz.Renderer
+import dev.lazyz.conformance.RendererConformance
 import dev.lazyz.conformance.SuiteRun
-import dev.lazyz.conformance.ZBufferConformanceTest
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -12,6 +14,11 @@ import org.junit.platform.launcher.core.LauncherFactory
 
 /** Options of Maven that select some of the rules: those rules are run, or the build fails. */
 class SelectedRulesTest {
+    /** Use of the suite, as shown in docs/conformance.md. Build tools ignore it, because it is in another class. */
+    class ZBufferConformanceTest : RendererConformance() {
+        override fun renderer(): Renderer = ZBufferRenderer()
+    }
+
     private fun discover(test: String) {
         val request = LauncherDiscoveryRequestBuilder.request()
             .selectors(selectClass(ZBufferConformanceTest::class.java))

@@ -103,13 +103,6 @@ class TrialTest {
     }
 
     @Test
-    fun noRuleIsOnTrialAfterARun() {
-        of { PlainRenderer() }.run()
-        assertNull(Trial.current)
-        assertNull(RunUnderWay.current)
-    }
-
-    @Test
     fun frameOfAnUnexpectedExceptionIsRemembered() {
         val failure = RuleFailure.of(IllegalStateException("lost"), listOf(1, case))
         assertEquals(case.code, failure.code)

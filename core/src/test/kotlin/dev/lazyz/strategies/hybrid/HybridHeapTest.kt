@@ -18,11 +18,13 @@ import kotlinx.coroutines.runBlocking
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /**
  * Checks the budget with a heap that has little more room than the budget, in a separate virtual machine with 24
  * megabytes.
  */
+@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
 class HybridHeapTest {
     @Test
     fun aBudgetKeepsAStreamOfLargePrimitivesWithinASmallHeap() {

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 
 /** The hybrid's picture is the z-buffer's, for any budget. */
 class HybridRendererProperties {
-    @Property(tries = 600, seed = "20260102", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 200, seed = "20260102", edgeCases = EdgeCasesMode.NONE)
     fun anyBudgetGivesTheSamePictureWithinTheBudget(
         @ForAll seed: Long,
         @ForAll @LongRange(min = 0, max = 5000) budget: Long,

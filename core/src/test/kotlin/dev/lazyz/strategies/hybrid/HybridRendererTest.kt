@@ -1,6 +1,5 @@
 package dev.lazyz.strategies.hybrid
 
-import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.Depth
 import dev.lazyz.Frame
@@ -9,7 +8,6 @@ import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
-import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Rgba
 import dev.lazyz.pipeline.Pane
 import dev.lazyz.render
@@ -17,7 +15,6 @@ import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Mesh
-import java.util.Random
 import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.asFlow
 import kotlinx.coroutines.flow.flow
@@ -133,28 +130,7 @@ class HybridRendererTest {
         assertTrue(counters.peakBytes < imageBytes + 2 * vertices + records * 1200L) { counters.toString() }
     }
 
-    @Test
-    fun chainsOfStepsAreWithinTheBudgetToo() {
-        val scene = Scene(listOf(Mesh(FloatArray(9) { Random(it.toLong()).nextFloat() * 4 - 2 }, intArrayOf(0, 1, 2))))
-        val frame = scene.frame(raster)
-        val stepping = HybridRenderer(RenderOptions(Coherence.INCREMENTAL)).render(frame)
-        assertTrue(stepping.counters.shadingSteps > 0)
-        val without = HybridRenderer(RenderOptions(Coherence.INCREMENTAL, memoryBudget = 400)).render(frame)
-        assertEquals(0, without.counters.shadingSteps)
-        assertEquals(stepping, without)
-    }
-
-    @Test
-    fun capabilitiesFollowTheBudget() {
-        assertTrue(Capability.SHADES_ONLY_VISIBLE in HybridRenderer().capabilities)
-        val configured = HybridRenderer().configured(RenderOptions(memoryBudget = 1000))
-        assertTrue(Capability.SHADES_ONLY_VISIBLE !in configured.capabilities)
-        assertTrue(Capability.MEMORY_BUDGET in configured.capabilities)
-        assertTrue(configured.render(mosaic).counters.peakBytes <= imageBytes + 1000)
-    }
-
-    private fun render(frame: Frame, budget: Long): Image =
-        HybridRenderer(RenderOptions(memoryBudget = budget)).render(frame)
+    private fun render(frame: Frame, budget: Long): Image = HybridRenderer(RenderOptions(memoryBudget = budget)).render(frame)
 
     private fun stream(hybrid: HybridRenderer, primitives: Flow<Primitive>): Image = runBlocking {
         val collector = Image.Collector(raster.region)

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 
 /** Contract rules 5, 7 and 8: the same picture as the z-buffer's, with the promised amount of work. */
 class LazyRendererProperties {
-    @Property(tries = 600, seed = "57", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 200, seed = "57", edgeCases = EdgeCasesMode.NONE)
     fun anyBudgetIsKeptAndGivesTheSameRows(@ForAll seed: Long, @ForAll coherence: Coherence) {
         val frame = AwkwardFrames(seed, 40).frame()
         val random = Random(seed)

@@ -41,7 +41,7 @@ class ListsRendererProperties {
         }
     }
 
-    @Property(tries = 600, seed = "20260203", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 200, seed = "20260203", edgeCases = EdgeCasesMode.NONE)
     fun rule_5_5_blendingIsTheCompositeInOrderOfDepth(@ForAll seed: Long, @ForAll coherence: Coherence) {
         val frame = AwkwardFrames(seed, 24).translucent()
         val image = ListsRenderer(RenderOptions(coherence)).render(frame.takeIf { it.hasTranslucency } ?: return)

@@ -1,26 +1,16 @@
 package dev.lazyz.strategies.lists
 
-import dev.lazyz.Capability
 import dev.lazyz.Depth
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
-import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
 import dev.lazyz.pipeline.Pane
 import dev.lazyz.spi.Fragment
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Scene
-import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Material.AlphaMode
-import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.Sphere
-import java.util.Random
-import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -49,34 +39,6 @@ class ListsRendererTest {
         assertEquals(red.toArgb(), ListsRenderer().render(Frame(clear, listOf(layer(1, red)))).argb(0, 0))
         val two = ListsRenderer().render(Frame(clear, listOf(layer(1, red), layer(2, green)))).argb(0, 0)
         assertEquals(Rgba(0.8f, 0.2f, 0f, 0.625f).toArgb(), two)
-    }
-
-    @Test
-    fun rule_5_5_interpenetratingTranslucentSurfacesBlendPerSample() {
-        val glass = Material(Rgba(0.2f, 0.9f, 0.4f, 0.4f), alphaMode = AlphaMode.BLEND, specular = Rgba.WHITE)
-        val random = Random(7)
-        val mesh = Mesh(FloatArray(54) { random.nextFloat() * 4 - 2 }, IntArray(18) { it }, glass)
-        val spheres = listOf(Sphere(Vector3d(), 1.0, glass), Sphere(Vector3d(0.5, 0.0, 0.3), 0.8))
-        val scene = Scene(spheres + mesh, viewpoint = Camera.fit())
-        val frame = scene.frame(64, 48)
-        val direct = ListsRenderer().render(frame)
-        for (coherence in Coherence.entries) assertEquals(direct, ListsRenderer(RenderOptions(coherence)).render(frame))
-        val stepping = ListsRenderer(RenderOptions(Coherence.INCREMENTAL)).render(frame)
-        assertTrue(stepping.counters.shadingSteps > 0)
-        val reversed = Frame(frame.raster, frame.primitives.reversed())
-        assertEquals(direct.argb.toList(), ListsRenderer().render(reversed).argb.toList())
-    }
-
-    @Test
-    fun rule_5_5_anOpaquePrimitiveIsTheBackdropWhateverItsAlpha() {
-        val hidden = layer(4, grey)
-        val wall = object : Primitive by layer(3, blue) {
-            override val isTranslucent: Boolean get() = false
-        }
-        assertEquals(blue.toArgb(), ListsRenderer().render(frame(hidden, wall)).argb(0, 0))
-        val image = ListsRenderer().render(frame(hidden, wall, layer(1, red)))
-        assertEquals(0, hidden.shadingCalls)
-        assertEquals(Rgba(0.5f / 0.875f, 0f, 0.375f / 0.875f, 0.875f).toArgb(), image.argb(0, 0))
     }
 
     @Test
@@ -164,25 +126,9 @@ class ListsRendererTest {
         assertTrue(image.counters.peakBytes < 8L * RowFragments.AT_ONCE + 200_000) { image.counters.toString() }
     }
 
-    @Test
-    fun capabilitiesFollowTheSelector() {
-        assertTrue(Capability.SHADES_ONLY_VISIBLE in ListsRenderer().capabilities)
-        val counting = ListsRenderer().configured(RenderOptions(selector = Selector.count()))
-        assertTrue(Capability.SHADES_ONLY_VISIBLE !in counting.capabilities)
-        assertTrue(counting.capabilities.containsAll(listOf(Capability.TRANSPARENCY, Capability.SELECTION)))
-    }
-
     private fun depth(level: Int): Int = Depth.NEAR + level * 1000
 
     private fun layer(level: Int, color: Rgba) = Pane(raster.region, depth(level), color)
 
     private fun frame(vararg primitives: Primitive) = Frame(raster, primitives.toList())
-
-    private fun <T> permutations(items: List<T>): List<List<T>> = if (items.isEmpty()) {
-        listOf(emptyList())
-    } else {
-        items.indices.flatMap { i ->
-            permutations(items.filterIndexed { j, _ -> j != i }).map { listOf(items[i]) + it }
-        }
-    }
 }

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 
 class PairOrderProperties {
-    @Property(tries = 400, seed = "1972")
+    @Property(tries = 150, seed = "1972")
     fun whatIsProvedHoldsAtEverySharedSample(@ForAll seed: Long) {
         val frame = AwkwardFrames(seed, 40).frame()
         val pairs = PairOrder(frame, Counters.Builder())
@@ -26,7 +26,7 @@ class PairOrderProperties {
         }
     }
 
-    @Property(tries = 400, seed = "1979")
+    @Property(tries = 150, seed = "1979")
     fun anOutlineIsTheHullOfTheSamples(@ForAll seed: Long) {
         val frame = AwkwardFrames(seed, 40).frame()
         for (index in frame.primitives.indices) {

@@ -45,7 +45,7 @@ import org.junit.jupiter.api.Test
  * and tiles.
  */
 class TiledMeshProperties {
-    @Property(tries = 50, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 25, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_meshesComeOutAsTheirTrianglesOneByOne(@ForAll seed: Long) {
         val frame = frame(Random(seed))
         assertFalse(frame.content.batches.isEmpty())
@@ -70,7 +70,7 @@ class TiledMeshProperties {
         }
     }
 
-    @Property(tries = 60, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 30, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_meshesBehindGlassComeOutAsTheirTrianglesOneByOne(@ForAll seed: Long) {
         val frame = frame(Random(seed), alpha = 0.4f)
         val expected = ListsRenderer().render(frame)
@@ -124,7 +124,7 @@ class TiledMeshProperties {
         }
     }
 
-    @Property(tries = 10, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 5, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_trianglesOfASampleOrTwoHaveAllAttributes(@ForAll seed: Long) = assertAttributes(Random(seed), 60, 50)
 
     @Property(tries = 4, seed = "1995", edgeCases = EdgeCasesMode.NONE)
@@ -161,7 +161,7 @@ class TiledMeshProperties {
         }
     }
 
-    @Property(tries = 6, seed = "1999", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 3, seed = "1999", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_largeTrianglesThatHideEachOtherAreTheSameForAnyThreads(
         @ForAll seed: Long,
         @ForAll depthTest: DepthTest,

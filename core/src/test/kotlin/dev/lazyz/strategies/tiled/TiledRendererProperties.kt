@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 
 /** Contract rules 5, 7 and 8, for any size of tiles and number of threads. */
 class TiledRendererProperties {
-    @Property(tries = 200, seed = "1989", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 80, seed = "1989", edgeCases = EdgeCasesMode.NONE)
     fun rule_7_1_thePictureIsTheZBuffersForAnyTilesAndThreads(@ForAll seed: Long, @ForAll coherence: Coherence) {
         val frame = AwkwardFrames(seed).frame()
         val expected = ZBufferRenderer().render(frame)
@@ -34,7 +34,7 @@ class TiledRendererProperties {
         }
     }
 
-    @Property(tries = 300, seed = "2008", edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 100, seed = "2008", edgeCases = EdgeCasesMode.NONE)
     fun aBinHoldsWhatMayCoverTheTileInSubmissionOrder(@ForAll seed: Long) {
         val frame = AwkwardFrames(seed).frame()
         for (tileSize in SIZES) {

@@ -3,7 +3,6 @@ package dev.lazyz.strategies.tiled
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Region
-import dev.lazyz.RenderOptions
 import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
@@ -44,14 +43,6 @@ class TiledRendererTest {
     }
 
     @Test
-    fun aTileThatIsFilledLaterRejectsFromThenOn() {
-        // The last tile has 4 x 2 samples. The first layer leaves one of them free, so the whole second layer is drawn
-        // there
-        val counters = tiled(1).render(layers(100, corner = 1)).counters
-        assertEquals(5000L - 1 + 4 * 2, counters.depthEvaluations)
-    }
-
-    @Test
     fun aRowIsScannedOnceForAllTiles() {
         for (threads in listOf(1, 4)) {
             val wide = Probe(Region(3, 5, 97, 49))
@@ -83,15 +74,6 @@ class TiledRendererTest {
         val frame = Frame(Raster(2000, 1), List(10_000) { Probe(Region(0, 0, 2000, 1)) })
         val bytes = tiled(1, tileSize = 1).render(frame, NOWHERE).peakBytes
         assertTrue(bytes < 10_000L * 300) { "$bytes" }
-    }
-
-    @Test
-    fun optionsAreHeeded() {
-        val options = RenderOptions(Coherence.INCREMENTAL, null, 5, 32)
-        assertEquals(
-            "TiledRenderer(INCREMENTAL, threads=5, tileSize=32)",
-            TiledRenderer().configured(options).toString(),
-        )
     }
 
     private companion object {

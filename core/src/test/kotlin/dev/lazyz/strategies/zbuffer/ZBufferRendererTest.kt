@@ -1,18 +1,13 @@
 package dev.lazyz.strategies.zbuffer
 
 import dev.lazyz.Capability
-import dev.lazyz.Counters
 import dev.lazyz.Frame
-import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
-import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
 import dev.lazyz.render
 import dev.lazyz.samples
-import dev.lazyz.setup.FrameBuilder
 import java.util.Random
-import kotlinx.coroutines.flow.asFlow
 import kotlinx.coroutines.flow.flow
 import kotlinx.coroutines.runBlocking
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -50,40 +45,6 @@ class ZBufferRendererTest {
             assertEquals(12L * frame.width * frame.height, counters.peakBytes)
             assertEquals(0, counters.shadingSteps)
             assertEquals(0, counters.peakSuspensions)
-        }
-    }
-
-    @Test
-    fun rule_8_2_shadingCallsAreAtLeastTheVisibleSamples() {
-        for (frame in frames()) {
-            val image = ZBufferRenderer().render(frame)
-            assertTrue(image.counters.shadingCalls >= image.visible)
-        }
-    }
-
-    @Test
-    fun rule_8_1_backToFrontShadesAllAndFrontToBackTheVisible() {
-        val square = { depth: Double ->
-            doubleArrayOf(0.0, 0.0, depth, 4.0, 0.0, depth, 4.0, 4.0, depth, 0.0, 4.0, depth)
-        }
-        fun counters(vararg depths: Double): Counters {
-            val builder = FrameBuilder(Raster(4, 4))
-            for (depth in depths) builder.polygon(Rgba.BLACK, square(depth))
-            return ZBufferRenderer().render(builder.build()).counters
-        }
-        assertEquals(48, counters(0.9, 0.5, 0.1).shadingCalls)
-        assertEquals(16, counters(0.1, 0.5, 0.9).shadingCalls)
-        assertEquals(48, counters(0.1, 0.5, 0.9).fragments)
-    }
-
-    @Test
-    fun aFlowGivesWhatAListGives() {
-        for (frame in frames()) {
-            val collector = Image.Collector(frame.raster.region)
-            val counters = runBlocking { ZBufferRenderer().render(frame.raster, frame.primitives.asFlow(), collector) }
-            val image = ZBufferRenderer().render(frame)
-            assertEquals(image, collector.toImage(counters))
-            assertEquals(image.counters.toString(), counters.toString())
         }
     }
 

@@ -3,7 +3,6 @@ package dev.lazyz.world.material
 import dev.lazyz.Image
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
-import dev.lazyz.SampleScenes
 import dev.lazyz.Selector
 import dev.lazyz.samples
 import dev.lazyz.spi.Fragment
@@ -21,7 +20,6 @@ import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** Contract rules 2.7 and 6.2: masks, sides, and the input of a shader. */
@@ -83,16 +81,6 @@ class MaterialTest {
     }
 
     @Test
-    fun frontSidesAreCounterClockwise() {
-        for (shading in Shading.entries) {
-            val front = Material(shading = shading, sides = Sides.FRONT)
-            assertEquals(64, image(square(front)).visible)
-            assertEquals(0, image(square(front, isTurned = true)).visible)
-            assertEquals(64, image(square(Material(shading = shading), isTurned = true)).visible)
-        }
-    }
-
-    @Test
     fun rule_6_2_aShaderSeesAttributes() {
         val shader = Shader { it.setColor(it.u, it.v, it.worldX, it.worldY) }
         val frame = Scene(listOf(square(Material(shader = shader))), viewpoint = camera).frame(8, 8)
@@ -116,41 +104,6 @@ class MaterialTest {
     }
 
     @Test
-    fun rule_6_2_aShaderOnAFlatMaterialSeesTheMeshsNormals() {
-        val normals = FloatArray(12) {
-            if (it % 3 == 0) {
-                1f
-            } else if (it % 3 == 2) {
-                2f
-            } else {
-                0f
-            }
-        }
-        val shader = Shader { it.setColor(it.normalX, it.normalY, it.normalZ) }
-        for (shading in Shading.entries) {
-            val plain = square(Material(shading = shading, shader = shader))
-            val mesh = Mesh(plain.positions, plain.triangles, plain.material, normals)
-            val fragment = Fragment()
-            fragment.moveTo(4, 4)
-            Scene(listOf(mesh), viewpoint = camera).frame(8, 8).primitives.first().shade(fragment)
-            assertEquals(1f, fragment.red, 1e-6f) { "shading must be ignored when there is a shader: $shading" }
-        }
-    }
-
-    @Test
-    fun rule_6_2_nothingOfAnotherFragmentIsSeen() {
-        val fragment = Fragment()
-        fragment.u = 5f
-        fragment.vertexAlpha = 0f
-        fragment.worldZ = 9f
-        fragment.normalY = 9f
-        fragment.moveTo(3, 4)
-        assertEquals(listOf(3, 4), listOf(fragment.x, fragment.y))
-        val attributes = listOf(fragment.u, fragment.vertexAlpha, fragment.worldZ, fragment.normalY)
-        assertEquals(listOf(0f, 1f, 0f, 0f), attributes)
-    }
-
-    @Test
     fun wrongNumbersAreRefused() {
         fun refused(block: () -> Unit) = assertThrows(IllegalArgumentException::class.java, block)
         refused { Material(shininess = 0) }
@@ -159,25 +112,5 @@ class MaterialTest {
         refused { Material(alphaCutoff = Float.NaN) }
         refused { Light.Directional(Vector3d(), Rgba.WHITE) }
         refused { Light.Point(Vector3d(Double.NaN), Rgba.WHITE) }
-    }
-
-    @Test
-    fun changedMaterialsKeepTheRest() {
-        val material = Material(
-            Rgba.BLACK, SampleScenes.checks, Shading.FLAT, Rgba.WHITE, 7, Rgba.WHITE, AlphaMode.MASK, 0.25f,
-            Sides.FRONT, null, "paint",
-        )
-        for (changed in listOf(material.withShading(Shading.PHONG), material.withShader { })) {
-            assertEquals(material.baseColor, changed.baseColor)
-            assertEquals(material.texture, changed.texture)
-            assertEquals(material.specular, changed.specular)
-            assertEquals(7, changed.shininess)
-            assertEquals(material.emission, changed.emission)
-            assertEquals(AlphaMode.MASK, changed.alphaMode)
-            assertEquals(0.25f, changed.alphaCutoff)
-            assertEquals(Sides.FRONT, changed.sides)
-            assertEquals("paint", changed.name)
-        }
-        assertTrue(material.withShader { }.shader != null)
     }
 }

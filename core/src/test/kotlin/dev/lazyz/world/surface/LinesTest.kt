@@ -18,11 +18,8 @@ import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
-import org.joml.Matrix4d
 import org.joml.Vector3d
-import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -198,19 +195,6 @@ class LinesTest {
         assertEquals(listOf(false, false), translucent(Material()))
         assertEquals(listOf(false, true), translucent(Material(alphaMode = AlphaMode.BLEND)))
         assertEquals(listOf(true, true), translucent(Material(Rgba(1f, 1f, 1f, 0.5f), alphaMode = AlphaMode.BLEND)))
-    }
-
-    @Test
-    fun linesMove() {
-        val lines = Lines(floatArrayOf(1f, 2f, 3f, 0f, 0f, 0f), intArrayOf(0, 1), 2.0)
-        val moved = lines.transformed(Matrix4d().translate(1.0, 0.0, 0.0).scale(2.0))
-        assertArrayEquals(floatArrayOf(3f, 4f, 6f, 1f, 0f, 0f), moved.positions)
-        assertEquals(2.0, moved.width)
-        assertEquals(5.0, moved.withWidth(5.0).width)
-        assertSame(moved.segments, moved.withWidth(5.0).segments)
-        val other = Material(name = "other")
-        assertSame(other, lines.withMaterials { other }.material)
-        assertEquals(Vector3d(0.5, 1.0, 1.5), lines.bounds!!.center)
     }
 
     @Test

@@ -19,11 +19,8 @@ import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
-import org.joml.Matrix4d
 import org.joml.Vector3d
-import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -132,21 +129,6 @@ class PointsTest {
             listOf(false, false),
             onScreen.points(Points(positions, 1.0, textured)).map { it.isTranslucent }.toList(),
         )
-    }
-
-    @Test
-    fun pointsMove() {
-        val points =
-            Points(floatArrayOf(1f, 2f, 3f, 0f, 0f, 0f), 2.0, Material(), floatArrayOf(0f, 3f, 0f, 1f, 0f, 0f))
-        val moved = points.transformed(Matrix4d().translate(1.0, 0.0, 0.0).scale(2.0))
-        assertArrayEquals(floatArrayOf(3f, 4f, 6f, 1f, 0f, 0f), moved.positions)
-        assertArrayEquals(floatArrayOf(0f, 1f, 0f, 1f, 0f, 0f), moved.normals)
-        assertEquals(2.0, moved.size)
-        assertEquals(5.0, moved.withSize(5.0).size)
-        assertSame(moved.positions, moved.withSize(5.0).positions)
-        val other = Material(name = "other")
-        assertSame(other, points.withMaterials { other }.material)
-        assertEquals(Vector3d(0.5, 1.0, 1.5), points.bounds!!.center)
     }
 
     @Test

@@ -4,10 +4,12 @@ import java.util.Random
 import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 
 /**
  * [Mesh.withSmoothNormals] compared with a reference implementation that examines all other corners for each corner.
  */
+@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class SmoothNormalsTest {
     @Test
     fun normalsAreThoseOfThePlainTwinToTheBit() {

@@ -6,12 +6,10 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
-import dev.lazyz.StreamingRenderer
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightMeter
-import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.hierarchical.HierarchicalRenderer
 import dev.lazyz.strategies.hybrid.HybridRenderer
 import dev.lazyz.strategies.tiled.TiledRenderer
@@ -23,7 +21,6 @@ import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.surface.StreamedMesh.MeshSource
 import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
-import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.joml.Vector3dc
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -104,28 +101,6 @@ class StreamedMeshTest {
         }
     }
 
-    /** Floats relative to the origin of a scene that is far away are pixels apart. */
-    @Test
-    fun regionsOfScenesWhoseOriginIsFarAwayGiveTheSamePictures() {
-        val away = Vector3d(8e6, 0.0, 0.0)
-        val far = Mesh(floatArrayOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 1f, 0f), intArrayOf(0, 1, 2), origin = away)
-        val target = Vector3d(0.1, 0.2, 0.0)
-        val camera = Camera.orthographic(Vector3d(0.1, 0.2, 10.0), target, Vector3d(0.0, 1.0, 0.0), 2.0, 1.0, 30.0)
-        for (seed in 1L..4L) {
-            val whole = mesh(seed).transformed(Matrix4d().scale(0.3))
-            val parts = StreamedMesh(Pieces(whole, 1))
-            val expected = Scene(listOf(far, whole), emptyList(), camera).frame(80, 60)
-            val actual = Scene(listOf(far, parts), emptyList(), camera).frame(80, 60)
-            for (column in 0 until 80 step 4) {
-                val region = Region(column, 5, column + 4, 55)
-                val image = TiledRenderer().render(expected.within(region))
-                for (renderer in streaming) {
-                    assertSame(image, renderer.render(actual.within(region)), "$renderer, $seed, $region")
-                }
-            }
-        }
-    }
-
     @Test
     fun eachRenderingReadsTheTrianglesOnce() {
         val pieces = Pieces(mesh(4), 50)
@@ -135,15 +110,6 @@ class StreamedMeshTest {
             pieces.reads.set(0)
             renderer.render(frame)
             assertEquals(pieces.partCount, pieces.reads.get(), "$renderer")
-        }
-    }
-
-    @Test
-    fun otherRenderersRefuse() {
-        val frame = Scene(listOf(StreamedMesh(Pieces(mesh(5), 50)))).frame(20, 20)
-        for (renderer in Renderers.builtIn.filter { it !is StreamingRenderer }) {
-            val refused = assertThrows(IllegalArgumentException::class.java) { renderer.render(frame) }
-            assertTrue("the frame is streamed" in refused.message!!, refused.message)
         }
     }
 

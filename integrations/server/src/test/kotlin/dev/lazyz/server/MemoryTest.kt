@@ -14,10 +14,10 @@ import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** A server in a process with a small heap, which ends when its memory is used up. */
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
 class MemoryTest {
     private val process = ProcessBuilder(
         "${Path.of(System.getProperty("java.home"), "bin", "java")}", "-Xmx160m", "-XX:+ExitOnOutOfMemoryError",

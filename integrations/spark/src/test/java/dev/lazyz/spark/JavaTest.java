@@ -7,6 +7,7 @@ import org.apache.spark.sql.Dataset;
 import org.apache.spark.sql.Row;
 import org.apache.spark.sql.SparkSession;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The library from Java. */
@@ -20,6 +21,7 @@ class JavaTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     void modelsBecomePictures(@TempDir Path folder) {
         SparkSession spark = TestSpark.getSession();
         Models.collection(folder.resolve("models"));

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 class ModelPicturesTest {
@@ -90,7 +90,7 @@ class ModelPicturesTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun manyViewsSurviveParquet(@TempDir folder: Path) {
         files(folder).createOrReplaceTempView("models")
         spark.sql("SELECT explode(array('view=front', 'view=top')) AS view").createOrReplaceTempView("views")
@@ -127,7 +127,7 @@ class ModelPicturesTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun sheetsShowAllModelsInOrder(@TempDir folder: Path) {
         val sheets = ModelPictures.sheets(files(folder), plain, columns = 2, rows = 2).sort("sheet").collectAsList()
         assertEquals(listOf(0L, 1L), sheets.map { it.getAs<Long>("sheet") })

@@ -62,7 +62,7 @@ class GrowthTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     void thePageAndTheModelAreThoseOfTheResults() throws IOException {
         String remedy = "run GrowthPage, see jmh/README.md";
         String text = Files.readString(DOCS.resolve("growth.md"));

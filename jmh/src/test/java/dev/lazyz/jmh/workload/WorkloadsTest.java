@@ -18,9 +18,9 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
 
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class WorkloadsTest {
     @Test
     void confettiHasItsNumberAndSize() {
@@ -38,6 +38,7 @@ class WorkloadsTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     void everythingLiesWithinTheRaster() {
         for (String id : Workloads.COMPARED) {
             for (float coordinate : Workloads.triangles(id).positions()) {
@@ -63,6 +64,7 @@ class WorkloadsTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     void largerRasterIsTheSameSceneLarger() throws InterruptedException {
         double small = (double) new TiledRenderer()
                         .render(Workloads.scene("S2").frame(64, 64))
@@ -76,6 +78,7 @@ class WorkloadsTest {
     }
 
     @Test
+    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
     void builtInScenesAreTrianglesToo() throws InterruptedException {
         for (String id : new String[] {"city", "molecule", "cycle", "teapot"}) {
             Triangles baked = Baked.of(id, Workloads.scene(id));

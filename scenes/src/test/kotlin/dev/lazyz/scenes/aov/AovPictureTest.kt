@@ -5,7 +5,6 @@ import dev.lazyz.Rgba
 import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovImage
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -47,17 +46,6 @@ class AovPictureTest {
         )
     }
 
-    @Test
-    fun countsOfSeveralPicturesShareAScale() {
-        val calls = AovPicture.ofCounts(image(Aov.SHADING_CALLS, 0, 1, 2, 9), 4)
-        val scale = listOf(0.25, 0.5, 1.0).map { Rgba.viridis(it).toArgb() }
-        assertEquals(listOf(grey) + scale, calls.argb.toList())
-        assertEquals(4 to 1, calls.width to calls.height)
-        assertEquals(AovPicture.NOTHING, grey)
-        assertThrows(IllegalArgumentException::class.java) { AovPicture.ofCounts(image(Aov.OVERDRAW, 0, 1, 2, 9), 0) }
-        assertThrows(IllegalArgumentException::class.java) { AovPicture.ofCounts(image(Aov.OBJECT, 0, 1, 2, 9), 9) }
-    }
-
     /** With 4 x 4 samples, 16 fragments are one surface. */
     @Test
     fun theLegendOfOverdrawCountsSurfacesNotSamples() {
@@ -65,36 +53,6 @@ class AovPictureTest {
         val often = AovImage(Aov.OVERDRAW, region, intArrayOf(0, 16, 32, 80), samplesPerPixel = 16)
         assertEquals(AovPicture.of(once).pixelHash(), AovPicture.of(often).pixelHash())
         assertThrows(IllegalArgumentException::class.java) { AovImage(Aov.OVERDRAW, region, IntArray(4), 0) }
-    }
-
-    @Test
-    fun theScaleHasItsColoursAndIsMonotonous() {
-        assertEquals(listOf(0xFF440154.toInt(), 0xFFFDE725.toInt()), listOf(0.0, 1.0).map { Rgba.viridis(it).toArgb() })
-        assertEquals(0xFF365C8D.toInt(), Rgba.viridis(2 / 7.0).toArgb())
-        assertEquals(Rgba.viridis(0.0).toArgb(), Rgba.viridis(Double.NaN).toArgb())
-        assertEquals(Rgba.viridis(1.0).toArgb(), Rgba.viridis(Double.POSITIVE_INFINITY).toArgb())
-        val greens = (0..1000).map { Rgba.viridis(it / 1000.0).toArgb() shr 8 and 0xFF }
-        assertEquals(greens.sorted(), greens)
-    }
-
-    @Test
-    fun vectorsAreRedGreenAndBlue() {
-        val normal = pixels(image(Aov.NORMAL, 1f, 0f, 0f, 0f, -1f, 0f, 0f, 0f, 1f, 0f, 0f, 0f))
-        assertEquals(listOf(0xFFFF8080, 0xFF800080, 0xFF8080FF).map { it.toInt() } + grey, normal)
-        val position = pixels(image(Aov.POSITION, 1f, 2f, 3f, 3f, 2f, 1f, 2f, 2f, 2f, 0f, 0f, 0f))
-        assertEquals(listOf(0xFF0000FF, 0xFFFF0000, 0xFF800080).map { it.toInt() } + grey, position)
-        val uv = pixels(image(Aov.UV, 1f, 0f, 1.5f, -0.25f, 0f, 0f, 0.5f, 0.25f))
-        assertEquals(listOf(0xFFFF0000, 0xFF80BF00).map { it.toInt() } + grey + 0xFF804000.toInt(), uv)
-    }
-
-    @Test
-    fun idsHaveColoursOfTheirOwn() {
-        val (none, first, second, again) = pixels(image(Aov.OBJECT, -1, 0, 1, 0))
-        assertEquals(listOf(grey, first), listOf(none, again))
-        assertNotEquals(first, second)
-        val many = AovImage(Aov.PRIMITIVE, Region(0, 0, 500, 4), IntArray(2000) { it - 1 })
-        val colors = AovPicture.of(many).argb.take(2000).toSet()
-        assertTrue(colors.size > 1950) { "${colors.size}" }
     }
 
     @Test

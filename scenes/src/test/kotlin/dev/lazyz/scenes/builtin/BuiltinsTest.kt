@@ -4,9 +4,6 @@ import dev.lazyz.scenes.Builtin
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.scenefile.SceneFile
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Scene
-import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
@@ -22,20 +19,6 @@ import org.junit.jupiter.params.provider.MethodSource
 
 @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class BuiltinsTest {
-    @ParameterizedTest
-    @MethodSource("builtins")
-    fun hasSurfacesWithFiniteVertices(builtin: Builtin) {
-        val scene = builtin.scene()
-        assertTrue(scene.surfaces.isNotEmpty())
-        for (surface in scene.surfaces) {
-            assertTrue(surface.bounds != null, "$surface")
-            if (surface is Mesh) {
-                assertTrue(surface.triangleCount > 0)
-                assertTrue(surface.positions.all { it.isFinite() } && surface.uvs?.all { it.isFinite() } != false)
-            }
-        }
-    }
-
     @ParameterizedTest
     @MethodSource("builtins")
     fun fillsASensiblePartOfThePictureAtAnySize(builtin: Builtin) {
@@ -63,34 +46,6 @@ class BuiltinsTest {
     }
 
     @Test
-    fun barsOverlapInACycle() {
-        val isAbove = overlaps("cycle")
-        for (bar in 0..2) {
-            val next = (bar + 1) % 3
-            assertEquals(isAbove(0, 1), isAbove(bar, next), "$bar above $next")
-            assertNotEquals(isAbove(bar, next), isAbove(next, bar), "$bar and $next")
-        }
-    }
-
-    @Test
-    fun trianglesGoThroughEachOther() {
-        val isAbove = overlaps("crossing")
-        for ((a, b) in listOf(0 to 1, 1 to 2, 2 to 0)) {
-            assertTrue(isAbove(a, b) && isAbove(b, a), "$a and $b")
-        }
-    }
-
-    /** Whether the first of two surfaces, of a scene in which each is one primitive, is seen before the second. */
-    private fun overlaps(id: String): (Int, Int) -> Boolean {
-        val scene = Scenes.builtin(id)!!
-        val seen = ZBufferRenderer().render(scene.frame(200, 200)).primitive
-        val alone = scene.surfaces.map {
-            ZBufferRenderer().render(Scene(listOf(it), scene.lights, scene.camera(200, 200)).frame(200, 200)).primitive
-        }
-        return { a, b -> seen.indices.any { seen[it] == a && alone[b][it] == 0 } }
-    }
-
-    @Test
     fun moleculeHasTheBondsOfCaffeine() {
         val atoms = MoleculeScene.scene().surfaces.map { it as Sphere }
         val count = atoms.groupingBy { it.material.name }.eachCount()
@@ -109,15 +64,6 @@ class BuiltinsTest {
     }
 
     @Test
-    fun layersHideEachOtherFromTheLastToTheFirst() {
-        val image = ZBufferRenderer().render(Scenes.layers(50).frame(100, 100))
-        assertTrue(image.counters.fragments > 15L * image.visible, "${image.counters}")
-        assertEquals(image.counters.fragments, image.counters.shadingCalls)
-        assertEquals(7, Scenes.layers(7).surfaces.size)
-        assertEquals(1, Scenes.layers(1).surfaces.size)
-    }
-
-    @Test
     fun citiesDifferBySeedAndGrowWithBlocks() {
         assertNotEquals(SceneFile.format(Scenes.city(2, 1)), SceneFile.format(Scenes.city(2, 2)))
         assertEquals(SceneFile.format(Scenes.city(2, 7)), SceneFile.format(Scenes.city(2, 7)))
@@ -133,16 +79,6 @@ class BuiltinsTest {
         assertThrows(IllegalArgumentException::class.java) { Scenes.city(101) }
         assertThrows(IllegalArgumentException::class.java) { Scenes.layers(0) }
         assertEquals(64 * 9 - 24, (Scenes.teapot(3).surfaces.single() as Mesh).triangleCount)
-    }
-
-    @Test
-    fun boxesOfTheCityPointOutward() {
-        // Sides.FRONT drops what is seen from behind: of a closed box nothing may be missing
-        val scene = Scenes.city(3)
-        val fronts = scene.withMaterials { material ->
-            Material(material.baseColor, material.texture, sides = Sides.FRONT)
-        }
-        assertEquals(ZBufferRenderer().render(scene.frame(160, 120)), ZBufferRenderer().render(fronts.frame(160, 120)))
     }
 
     private companion object {

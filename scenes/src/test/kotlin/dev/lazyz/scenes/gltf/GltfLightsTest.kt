@@ -2,13 +2,11 @@ package dev.lazyz.scenes.gltf
 
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.loading.TestSources
-import dev.lazyz.world.Environment
 import dev.lazyz.world.Light
 import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
@@ -87,13 +85,6 @@ class GltfLightsTest {
         val dim = scene("""{"type":"directional","intensity":0.01}""").lights.single()
         assertEquals(1.0, dim.color.red.toDouble(), 1e-5)
         assertEquals(0f, scene("""{"type":"directional","intensity":0}""").lights.single().color.red)
-    }
-
-    @Test
-    fun withLightsTheStudioIsFaint() {
-        assertNull(scene().environment)
-        assertEquals(Environment.studio(0.3f), scene("""{"type":"point"}""").environment)
-        assertEquals(emptyList<String>(), warnings)
     }
 
     @Test

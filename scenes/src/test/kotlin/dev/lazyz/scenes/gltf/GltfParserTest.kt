@@ -104,13 +104,6 @@ class GltfParserTest {
     }
 
     @Test
-    fun matrixRunsColumnByColumn() {
-        val json = file(""""nodes":[{"mesh":0,"matrix":[0,5,0,0, 7,0,0,0, 0,0,1,0, 100,200,300,1]}]""")
-        val corners = mesh(json).corners().toSet()
-        assertEquals(setOf(listOf(100f, 200f, 300f), listOf(100f, 205f, 300f), listOf(107f, 200f, 300f)), corners)
-    }
-
-    @Test
     fun mirrorKeepsTheOutsideOutside() {
         val files = GltfFiles()
         files.accessor("VEC3", FLOAT, triangle)
@@ -149,13 +142,6 @@ class GltfParserTest {
         assertEquals(emptyList<Float>() to listOf(hidden), shown(node(1, false)))
         val none = "test: no node of the scene has a mesh, so there is nothing to see"
         assertEquals(emptyList<Float>() to listOf(none), shown("{}"))
-    }
-
-    @Test
-    fun deepChainOfNodesIsWalked() {
-        val depth = 20_000
-        val nodes = (0 until depth).joinToString(",") { """{"translation":[1,0,0],"children":[${it + 1}]}""" }
-        assertEquals(depth.toDouble(), mesh(file(""""nodes":[$nodes,{"mesh":0}]""")).bounds!!.minX)
     }
 
     @Test

@@ -9,8 +9,6 @@ import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.world.material.Texture
-import java.awt.color.ColorSpace
-import java.awt.color.ICC_Profile
 import java.awt.image.BufferedImage
 import java.awt.image.DataBuffer
 import java.awt.image.Raster
@@ -55,13 +53,6 @@ class TextureFilesTest {
     }
 
     @Test
-    fun paletteKeepsColourAndTransparency() {
-        val palette = "PLTE" to bytes(10, 20, 30, 200, 100, 50)
-        val png = PngFile.of(2, 1, 8, PngFile.PALETTE, listOf(bytes(1, 0)), palette, "tRNS" to bytes(0x80))
-        assertEquals(listOf("FFC86432", "800A141E"), texels(png))
-    }
-
-    @Test
     fun oneTransparentColourIsTransparent() {
         val key = "tRNS" to bytes(0, 10, 0, 20, 0, 30)
         val png = PngFile.of(2, 1, 8, PngFile.RGB, listOf(bytes(10, 20, 30, 11, 20, 30)), key)
@@ -77,29 +68,6 @@ class TextureFilesTest {
         assertEquals(listOf("FFFFFFFF", "FF000000", "FFFFFFFF"), texels(bits))
         val fourBits = PngFile.of(2, 1, 4, PngFile.GREY, listOf(bytes(0x7F)))
         assertEquals(listOf("FF777777", "FFFFFFFF"), texels(fourBits))
-    }
-
-    @Test
-    fun gammaOfAPngIsNotApplied() {
-        val row = listOf(bytes(50, 100, 150))
-        val gamma = "gAMA" to bytes(0, 1, 0x86, 0xA0)
-        assertEquals(listOf("FF326496"), texels(PngFile.of(1, 1, 8, PngFile.RGB, row, gamma)))
-    }
-
-    @Test
-    fun profileOfAJpegIsNotApplied() {
-        // The same file twice, once said to be in linear light: a profile that is applied makes it much brighter
-        val image = BufferedImage(16, 16, BufferedImage.TYPE_3BYTE_BGR)
-        for (i in 0 until 256) image.raster.setPixel(i % 16, i / 16, intArrayOf(100, 60, 30))
-        val plain = jpeg(image)
-        val profile = ICC_Profile.getInstance(ColorSpace.CS_LINEAR_RGB).data
-        val mark = "ICC_PROFILE".toByteArray() + bytes(0, 1, 1)
-        val length = 2 + mark.size + profile.size
-        val afterJfif = 4 + (plain[5].toInt() and 0xFF)
-        val said = plain.copyOf(afterJfif) + bytes(0xFF, 0xE2, length shr 8, length) + mark + profile +
-            plain.copyOfRange(afterJfif, plain.size)
-        assertEquals(texels(plain), texels(said))
-        assertEquals(100.0, (texels(said)[0].substring(2, 4).toInt(16)).toDouble(), 4.0)
     }
 
     /** A JPEG of one pixel of four numbers, with Adobe's marker that says how they are transformed, or without one. */

@@ -101,15 +101,4 @@ class FileReferencesTest {
         assertEquals(beside, find("C:\\Users\\me\\wood.png"))
         assertEquals(beside, find("https://example.com/wood.png"))
     }
-
-    @Test
-    fun onlyRegularFilesCount() {
-        Files.createDirectories(folder.resolve("directory.png"))
-        for (reference in listOf("directory.png", "", ".", "..", "/", "/dev/zero", "a\u0000b", "wood.png/x")) {
-            assertNull(find(reference), reference)
-        }
-        val nowhere = FileReferences(null, null, ReferencePolicy.ANYWHERE).find("wood.png")
-        assertNull(nowhere.file)
-        assertEquals("cannot be looked up for a stream and is left out; load from a file instead", nowhere.warning)
-    }
 }

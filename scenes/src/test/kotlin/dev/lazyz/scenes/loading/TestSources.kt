@@ -8,7 +8,7 @@ import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assumptions.assumeTrue
 
-/** What the loaders' tests share: sources out of text, bytes and files, and what a loader owes to a damaged file. */
+/** What the loaders' tests share: sources out of text, bytes and files. */
 internal object TestSources {
     fun of(text: String, folder: Path? = null) = Source(text.toByteArray(), "test", folder)
 
@@ -31,33 +31,6 @@ internal object TestSources {
 
     fun error(parser: SceneParser, source: Source): SceneFormatException =
         assertThrows(SceneFormatException::class.java) { parser.parse(source) }
-
-    /** Cuts the file at every byte, and changes each byte in some ways: a scene or the one exception, and no hang. */
-    fun assertSurvivesDamage(
-        parser: SceneParser,
-        bytes: ByteArray,
-        folder: Path? = null,
-        changes: List<Int> = listOf(0xFF, 0x01, 0x80),
-    ) {
-        for (length in bytes.indices) assertSurvives(parser, bytes.copyOf(length), "cut at byte $length", folder)
-        for (at in bytes.indices) {
-            for (change in changes) {
-                val broken = bytes.copyOf()
-                broken[at] = (broken[at].toInt() xor change).toByte()
-                assertSurvives(parser, broken, "byte $at xor $change", folder)
-            }
-        }
-    }
-
-    private fun assertSurvives(parser: SceneParser, bytes: ByteArray, damage: String, folder: Path?) {
-        try {
-            parser.parse(Source(bytes, "test", folder))
-        } catch (_: SceneFormatException) {
-            // The one exception that is allowed
-        } catch (e: Throwable) {
-            throw AssertionError("$damage: $e", e)
-        }
-    }
 }
 
 internal val Scene.meshes: List<Mesh> get() = surfaces.map { it as Mesh }

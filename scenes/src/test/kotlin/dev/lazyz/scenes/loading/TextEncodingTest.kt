@@ -61,9 +61,4 @@ class TextEncodingTest {
             assertEquals(emptyList<String>(), source.warnings)
         }
     }
-
-    @Test
-    fun damagedTextIsReportedAndNothingElse() {
-        for (bytes in marked("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")) TestSources.assertSurvivesDamage(ObjParser, bytes)
-    }
 }

@@ -17,7 +17,6 @@ import dev.lazyz.scenes.off.OffParser
 import dev.lazyz.scenes.ply.PlyParser
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
-import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Test
@@ -89,16 +88,6 @@ class MissingNormalsTest {
                     assertEquals(expected, mesh.cornerNormals()[corner], "$parser: corner $corner of $missing")
                 }
             }
-        }
-    }
-
-    @Test
-    fun ifAllAreMissingItIsAsIfThereWereNone() {
-        for ((parser, file) in files) {
-            val without = mesh(parser, file(null))
-            val mesh = mesh(parser, file(normals(positions.indices.toSet())))
-            assertEquals(without.normals?.toList(), mesh.normals?.toList(), "$parser")
-            assertArrayEquals(without.triangles, mesh.triangles)
         }
     }
 

@@ -85,19 +85,6 @@ class TriangulationTest {
     }
 
     @Test
-    fun oneCrossingIsTooManyForALargePolygon() {
-        fun bow(count: Int) = DoubleArray(3 * count) { i ->
-            when (i % 3) {
-                0 -> StrictMath.cos(2 * Math.PI * (i / 3) / count)
-                1 -> StrictMath.sin(4 * Math.PI * (i / 3) / count)
-                else -> 0.0
-            }
-        }
-        assertTrue(Triangulation.triangles(bow(100))!!.isNotEmpty())
-        assertNull(Triangulation.triangles(bow(Triangulation.MAX_CONCAVE_CORNERS)))
-    }
-
-    @Test
     fun onlyConcavePolygonsAreLimited() {
         val count = Triangulation.MAX_CONCAVE_CORNERS + 1
         val round = DoubleArray(3 * count) { corner(it, count, 1.0) }

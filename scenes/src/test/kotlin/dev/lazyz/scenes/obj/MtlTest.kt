@@ -56,11 +56,6 @@ class MtlTest {
     }
 
     @Test
-    fun exponentStaysWithinItsRange() {
-        assertEquals(listOf(1, 1, 1024, 32), listOf("Ns 0", "Ns -5", "Ns 9999", "").map { mesh(it).material.shininess })
-    }
-
-    @Test
     fun illuminationModelDecidesAboutLight() {
         val shiny = "Ks 1 1 1\nillum"
         assertEquals(Shading.CONSTANT, mesh("$shiny 0").material.shading)
@@ -92,14 +87,6 @@ class MtlTest {
         }
     }
 
-    @Test
-    fun anExponentOfZeroIsNoHighlight() {
-        assertEquals(Rgba.BLACK, mesh("Ks 1 1 1\nNs 0").material.specular)
-        assertEquals(Rgba.BLACK, mesh("Ks 1 1 1\nNs 0.000000\nillum 2").material.specular)
-        assertEquals(Rgba.WHITE, mesh("Ks 1 1 1\nNs 1").material.specular)
-        assertEquals(Rgba.WHITE, mesh("Ks 1 1 1").material.specular)
-    }
-
     /** The colour codes of the materials that a model uses, in order. */
     private fun codes(text: String, warnings: Int = 0): List<String> {
         val source = TestSources.of(text, folder)
@@ -117,16 +104,6 @@ class MtlTest {
         assertEquals(listOf("FFFF0000", "FF00FF00", "FFFF0000"), codes(text))
         assertNotNull(mesh("map_Kd wood.png # the wood").material.texture)
         assertNotNull(mesh("map_Kd -clamp on wood.png\t#the wood").material.texture)
-    }
-
-    @Test
-    fun aHashCanBePartOfAName() {
-        Files.writeString(folder.resolve("a #b.mtl"), "newmtl <m#-1\nKd 1 0 0\nnewmtl m #1\nKd 0 1 0\nnewmtl m #2\n")
-        Files.writeString(folder.resolve("a"), "newmtl m\n")
-        val text = "mtllib a #b.mtl\n${faces}usemtl <m#-1\nf 1 2 3\nusemtl m #2\nf 1 2 3\nusemtl m #1\nf 3 2 1\n"
-        assertEquals(listOf("FFFF0000", "FFFFFFFF", "FF00FF00"), codes(text))
-        Files.copy(folder.resolve("wood.png"), folder.resolve("oak #2.png"))
-        assertEquals("oak #2.png", mesh("map_Kd oak #2.png").material.texture!!.name)
     }
 
     @Test
@@ -156,14 +133,6 @@ class MtlTest {
     }
 
     @Test
-    fun clampStopsRepetition() {
-        assertEquals(Texture.Wrap.REPEAT, mesh("map_Kd wood.png").material.texture!!.wrapU)
-        assertEquals(Texture.Wrap.REPEAT, mesh("map_Kd -clamp off wood.png").material.texture!!.wrapU)
-        val clamped = mesh("map_Kd -clamp on wood.png").material.texture!!
-        assertEquals(listOf(Texture.Wrap.CLAMP, Texture.Wrap.CLAMP), listOf(clamped.wrapU, clamped.wrapV))
-    }
-
-    @Test
     fun scaleAndOffsetMoveTheTextureUpward() {
         assertEquals(listOf(0f, 1f, 1f, 1f, 1f, 0f), mesh("map_Kd wood.png").uvs!!.toList())
         val moved = mesh("map_Kd -s 2 3 -o 0.5 0.25 0 wood.png").uvs!!
@@ -176,13 +145,6 @@ class MtlTest {
         assertEquals("FFFFFFFF", code(mesh("Kd 0 0 0\nmap_Kd wood.png").material.baseColor))
         assertEquals("FF000000", code(mesh("Kd 0 0 0").material.baseColor))
         assertEquals("FF808080", code(mesh("Kd 0.5 0.5 0.5\nmap_Kd wood.png").material.baseColor))
-    }
-
-    @Test
-    fun alphaOfTheTextureCountsOnlyAsMapD() {
-        assertEquals(AlphaMode.OPAQUE, mesh("map_Kd wood.png").material.alphaMode)
-        assertEquals(AlphaMode.MASK, mesh("map_Kd wood.png\nmap_d wood.png").material.alphaMode)
-        assertEquals(AlphaMode.OPAQUE, mesh("map_Kd wood.png\nmap_d other.png", warnings = 1).material.alphaMode)
     }
 
     private fun image(name: String, vararg greys: Int) {
@@ -272,23 +234,6 @@ class MtlTest {
     }
 
     @Test
-    fun optionsMayStandBehindTheName() {
-        Files.copy(folder.resolve("wood.png"), folder.resolve("-s 2.png"))
-        val expected = mesh("map_Kd -s 2 4 -clamp on wood.png")
-        val behind = "wood.png -s 2 4 -clamp on"
-        for (statement in listOf(behind, "-S 2 4 wood.png -clamp on", "$behind # x")) {
-            val mesh = mesh("map_Kd $statement")
-            assertEquals(expected.uvs!!.toList(), mesh.uvs!!.toList(), statement)
-            assertEquals(Texture.Wrap.CLAMP, mesh.material.texture!!.wrapU, statement)
-        }
-        val bumps = listOf("-bm 3 wood.png", "wood.png -bm 3", "wood.png  -type sphere -imfchan l -bm 3")
-            .map { texels(mesh("map_bump $it").material.normalMap?.map) }
-        assertEquals(1, bumps.distinct().size)
-        assertNotNull(mesh("map_Kd .\\-s 2.png").material.texture, "a name")
-        for (name in listOf("wood.png -s", "wood.png -s x", "wood.png -q 1")) mesh("map_Kd $name", warnings = 1)
-    }
-
-    @Test
     fun unusedTexturesGiveOneWarning() {
         val text = "Kd 1 0 0\nmap_Kd wood.png\nmap_Ks a.png\ndisp a.png\nmap_Ns b.png\n" +
             "newmtl b\nREFL n.png\nmap_Ks c.png\nKa 1 1 1\nNi 1\n"
@@ -314,12 +259,6 @@ class MtlTest {
     }
 
     @Test
-    fun statementsThatWouldChangeNothingGiveNoWarning() {
-        val none = "Pc 0.0\nPcr 0.03\nPs 0\naniso 0\nanisor 0.5\nTf 1 1 1\n"
-        assertEquals(0.5f, mesh("${none}Pr 0.5").material.metallicRoughness?.roughness)
-    }
-
-    @Test
     fun librariesAreFoundInOtherFoldersAndWithSpaces() {
         val statements = mapOf(
             "lib/m.mtl" to "lib\\m.mtl",
@@ -331,24 +270,6 @@ class MtlTest {
             val warnings = if (statement.startsWith("none")) 1 else 0
             assertEquals("FFFF0000", code(mesh("Kd 1 0 0", place, statement, warnings).material.baseColor), place)
         }
-    }
-
-    @Test
-    fun severalLibrariesAddUpAndTheFirstDefinitionCounts() {
-        Files.writeString(folder.resolve("1.mtl"), "newmtl a\nKd 1 0 0\n")
-        Files.writeString(folder.resolve("2.mtl"), "newmtl a\nKd 0 1 0\nnewmtl b\nKd 0 0 1\n")
-        val text = "mtllib 1.mtl\nmtllib 2.mtl\n" + triangle + "usemtl b\nf 1 2 3\n"
-        val meshes = ObjParser.parse(TestSources.of(text, folder)).meshes
-        assertEquals(listOf("FFFF0000", "FF0000FF"), meshes.map { code(it.material.baseColor) })
-    }
-
-    @Test
-    fun facesWithoutCoordinatesGetNoTexture() {
-        Files.writeString(folder.resolve("m.mtl"), "newmtl a\nKd 1 0 0\nmap_Kd wood.png\n")
-        val source = TestSources.of("mtllib m.mtl\n" + triangle + "f 1 2 3\n", folder)
-        val meshes = ObjParser.parse(source).meshes
-        assertEquals(listOf(true, false), meshes.map { it.material.texture != null })
-        assertEquals(meshes[0].material.baseColor, meshes[1].material.baseColor)
     }
 
     @Test

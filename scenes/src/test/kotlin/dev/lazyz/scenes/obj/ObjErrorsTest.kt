@@ -1,6 +1,5 @@
 package dev.lazyz.scenes.obj
 
-import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
 import java.nio.file.Files
@@ -66,24 +65,6 @@ class ObjErrorsTest {
                 assertTrue(error.source.endsWith("m.mtl") && statement in error.problem, error.message)
             } else {
                 assertEquals(1, ObjParser.parse(source).surfaces.size, statement)
-            }
-        }
-    }
-
-    @Test
-    fun damageIsReportedAndNothingElse(@TempDir folder: Path) {
-        val text = "mtllib m.mtl\no a\n" + triangle + "v 0.5 2 0 1 0 0.5\nvt 0 1\nvt 1 0\nvn 0 0 1\nusemtl m\n" +
-            "f 1/1/1 2/2/1 3/1/1 4/2/1\ns off\nf -1 -2 \\\n-3\n"
-        TestSources.assertSurvivesDamage(ObjParser, text.toByteArray())
-
-        val colours = "newmtl m\nKd 1 0.5 0\nKs 1 1 1\nNs 10\nd 0.5\nTr 0.5\nillum 2\n"
-        val library = (colours + "map_Kd -s 2 2 2 -clamp on no.png\n").toByteArray()
-        for (length in library.indices) {
-            Files.write(folder.resolve("m.mtl"), library.copyOf(length))
-            try {
-                ObjParser.parse(TestSources.of(text, folder))
-            } catch (_: SceneFormatException) {
-                // The one exception that is allowed
             }
         }
     }

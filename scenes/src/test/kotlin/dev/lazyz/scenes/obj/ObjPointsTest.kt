@@ -54,12 +54,6 @@ class ObjPointsTest {
     }
 
     @Test
-    fun withoutColourTheyAreNotWhiteOnWhite() {
-        val lines = ObjParser.parse(TestSources.of("v 0 0 0\nv 1 0 0\nl 1 2\n")).surfaces.single() as Lines
-        assertNotEquals(Rgba.WHITE, lines.material.baseColor)
-    }
-
-    @Test
     fun wrongNumbersAreRefused() {
         fun message(text: String) = TestSources.error(ObjParser, TestSources.of(square + text)).message!!
         assertTrue("line 5" in message("p 5\n"))
@@ -67,12 +61,5 @@ class ObjPointsTest {
         assertTrue("the line refers to number -5" in message("l 1 -5\n"))
         assertTrue("the point refers" in message("p -9\n"))
         assertTrue("\"x\" cannot number a vertex" in message("l 1 x\n"))
-    }
-
-    @Test
-    fun aLineOfOneVertexIsLeftOut() {
-        val source = TestSources.of(square + "l 1\nl 1 2\n")
-        assertEquals(1, (ObjParser.parse(source).surfaces.single() as Lines).segmentCount)
-        assertTrue("line 5: a line of 1 vertices is left out" in source.warnings.single())
     }
 }

@@ -90,21 +90,8 @@ class OffParserTest {
         assertEquals(listOf("FFFF0000", "FF0000FF"), twoFaces("1 0 0", "0 0 1 1"))
     }
 
-    @Test
-    fun facesMayRunOverSeveralLines() {
-        val mesh = mesh("OFF\n4 2 0\n${square}3 0 \n1 \n2 255 0 0\n\n3\n0 2 3 0 0 255\n")
-        assertEquals(listOf("FFFF0000", "FF0000FF"), mesh.codes().map { it.single() })
-    }
-
     private fun twoFaces(first: String, second: String) =
         mesh("OFF\n4 2 0\n${square}3 0 1 2 $first\n3 0 2 3 $second\n").codes().map { it.single() }
-
-    @Test
-    fun whatIsPassedOverGivesOneWarning() {
-        assertNull(mesh("OFF\n4 2 0\n${square}3 0 1 2 7\n3 0 2 3 1 2 3 4 5\n", warnings = 1).colors)
-        assertEquals(1, mesh("OFF\n4 3 0\n${square}3 0 1 2\n2 0 1\n1 0\n", warnings = 1).triangleCount)
-        assertEquals(1, mesh("OFF\n3 1 0\n0 0 0 9\n1 0 0\n0 1 0 9 9 9\n3 0 1 2\n", warnings = 1).triangleCount)
-    }
 
     @Test
     fun verticesWithoutFacesArePoints() {
@@ -163,12 +150,5 @@ class OffParserTest {
         assertFails("OFF\n4 1 0\n${square}3 0 1 x\n", "line 7", "\"x\"")
         assertFails("OFF\n4 1 0\n0,5 0 0\n${square}3 0 1 x\n", "line 3", "decimal point")
         assertFails("OFF\n4 2 0\n${square}3 0 1 2\n", "line 7", "after 1 of 2 faces")
-    }
-
-    @Test
-    fun damageIsReportedAndNothingElse() {
-        TestSources.assertSurvivesDamage(OffParser, "OFF\n4 2 0\n${square}3 0 1 2 255 0 0\n4 0 1 2 3\n".toByteArray())
-        val all = "STCNOFF 3 1\n0 0 0 0 1 0 255 0 0 0 1\n1 0 0 0 1 0 0 0 1 1 0\n0 1 0 0 1 0 1 1 1 0 0\n3 0 1 2\n"
-        TestSources.assertSurvivesDamage(OffParser, all.toByteArray())
     }
 }

@@ -51,14 +51,6 @@ class PictureTest {
     }
 
     @Test
-    fun greyAndOpaqueFormsOfAColorAreThatColor() {
-        assertEquals(setOf("#808080ff"), colors(png(filled(BufferedImage.TYPE_BYTE_GRAY, 0x80))))
-        assertEquals(setOf("#808080ff"), colors(png(filled(BufferedImage.TYPE_INT_RGB, 0x80, 0x80, 0x80))))
-        assertEquals(setOf("#808080ff"), colors(png(filled(BufferedImage.TYPE_4BYTE_ABGR, 0x80, 0x80, 0x80, 0xFF))))
-        assertEquals(setOf("#ffffffff"), colors(png(filled(BufferedImage.TYPE_BYTE_BINARY, 1))))
-    }
-
-    @Test
     fun sixteenBitsAreNotRounded() {
         assertEquals(setOf("#808180818081ffff"), colors(png(filled(BufferedImage.TYPE_USHORT_GRAY, 0x8081))))
         assertEquals(setOf("#808080ff"), colors(png(filled(BufferedImage.TYPE_USHORT_GRAY, 0x8080))))

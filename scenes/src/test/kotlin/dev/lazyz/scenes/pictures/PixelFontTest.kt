@@ -13,22 +13,6 @@ class PixelFontTest {
         assertEquals(pixels("?"), pixels("\u00df"))
     }
 
-    @Test
-    fun accentsAreNotDrawn() {
-        assertEquals(pixels("Curaca"), pixels("C\u00fcra\u00e7\u00e3"))
-    }
-
-    @Test
-    fun lettersFollowEachOther() {
-        assertEquals(listOf(0, 5, 11), listOf("", "A", "AB").map { PixelFont.width(it) })
-        assertEquals(
-            pixels("A").chunked(PixelFont.ADVANCE).zip(pixels("B").chunked(PixelFont.ADVANCE)) { a, b ->
-                a + b
-            }.flatten(),
-            pixels("AB"),
-        )
-    }
-
     private fun pixels(text: String) = (0 until PixelFont.HEIGHT).flatMap { row ->
         (0 until PixelFont.ADVANCE * text.length).map { PixelFont.isSet(text, it, row) }
     }

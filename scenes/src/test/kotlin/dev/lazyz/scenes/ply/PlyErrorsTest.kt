@@ -115,18 +115,4 @@ class PlyErrorsTest {
         assertTrue("2 of 2 face, 3 of 4 vertex" in source.warnings[0], source.warnings.toString())
         assertTrue("1 faces are left out" in source.warnings[1], source.warnings.toString())
     }
-
-    @Test
-    fun longRowsGiveOneWarning() {
-        val source = TestSources.of(ascii(body = "0 0 0 7\n1 0 0\n0 1 0 x y\n3 0 1 2 9\n"))
-        assertEquals(1, PlyParser.parse(source).meshes.single().triangleCount)
-        val expected = "3 rows have words after their last property; these words are ignored"
-        assertEquals("test: $expected", source.warnings.single())
-    }
-
-    @Test
-    fun damageIsReportedAndNothingElse() {
-        TestSources.assertSurvivesDamage(PlyParser, ascii().toByteArray())
-        for (format in PlyFormat.entries) TestSources.assertSurvivesDamage(PlyParser, file(format))
-    }
 }

@@ -107,20 +107,6 @@ class PlyFaceLooksTest {
     }
 
     @Test
-    fun stripsBesideFacesStayPlain() {
-        val text = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n" +
-            "element tristrips 1\nproperty list int int vertex_indices\nelement face 1\n" +
-            "property list uchar int vertex_index\nproperty list uchar float texcoord\nproperty uchar red\n" +
-            "property uchar green\nproperty uchar blue\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n" +
-            "3 0 1 2 6 0 0 0 0 0.5 0 0 0 0\n"
-        val mesh = PlyParser.parse(TestSources.of(text)).meshes
-        assertEquals(listOf(2, 1), mesh.map { it.triangleCount })
-        assertEquals(List(6) { 1f }, mesh[0].cornerColors().map { it[0] })
-        assertEquals(List(3) { 0f }, mesh[1].cornerColors().map { it[0] })
-        assertEquals(0.5f, mesh[1].cornerUvs()[2][0])
-    }
-
-    @Test
     fun whatIsNotUsedIsListed() {
         val text =
             "ply\nformat ascii 1.0\nelement camera 1\nproperty float view\nelement vertex 3\nproperty float x\n" +

@@ -7,7 +7,6 @@ import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -65,14 +64,6 @@ class PlyPointsTest {
     }
 
     @Test
-    fun aCloudWithoutColoursAndLightIsNotWhiteOnWhite() {
-        val points = PlyParser.parse(ascii(header("element vertex 1", *places.toTypedArray()), "0 0 0\n"))
-            .surfaces.single() as Points
-        assertNull(points.normals)
-        assertNotEquals(Rgba.WHITE, points.material.baseColor)
-    }
-
-    @Test
     fun edgesAreLines() {
         val tables = listOf(
             "float float float" to listOf(listOf(0, 0, 0), listOf(1, 0, 0), listOf(1, 1, 0)),
@@ -103,12 +94,6 @@ class PlyPointsTest {
             val message = TestSources.error(PlyParser, source).message!!
             assertTrue("vertex number" in message && "line 15" in message) { message }
         }
-    }
-
-    @Test
-    fun edgesOfOtherPropertiesArePassedOver() {
-        val nameless = ascii(edges.replace("vertex2", "to"), "0 0 0\n1 0 0\n1 1 0\n0 1\n1 2\n")
-        assertEquals(3, (PlyParser.parse(nameless).surfaces.single() as Points).pointCount)
     }
 
     @Test

@@ -80,26 +80,11 @@ class StlColorsTest {
     }
 
     @Test
-    fun otherWordsAreNoColours() {
-        assertNull(mesh(file(0, 0, 0)).colors)
-        val numbers = intArrayOf(32766, 32767, 32768, 32769)
-        for (words in listOf(intArrayOf(8456, 8456), numbers, intArrayOf(0x8000, 0x8000))) {
-            val warning = "the attribute words of ${words.size} facets are not used, for they are no colours"
-            assertNull(mesh(file(*words), listOf("test: $warning")).colors)
-        }
-    }
-
-    @Test
     fun theMarkMustHaveItsColourWithinTheHeader() {
         val late = ByteArray(80) { ' '.code.toByte() }.also { "COLOR=".toByteArray().copyInto(it, 71) }
         val noColors = listOf("test: the attribute words of 1 facets are not used, for they are no colours")
         assertNull(mesh(file(0x8000, header = late), noColors).colors)
         val last = ByteArray(80) { ' '.code.toByte() }.also { "COLOR=".toByteArray().copyInto(it, 70) }
         assertEquals(listOf("FF202020"), colors(file(0x8000, header = last)))
-    }
-
-    @Test
-    fun damageIsReportedAndNothingElse() {
-        TestSources.assertSurvivesDamage(StlParser, file(0x1234, 0x8000, header = magics))
     }
 }

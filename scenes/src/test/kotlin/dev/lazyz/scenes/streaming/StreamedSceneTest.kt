@@ -12,7 +12,6 @@ import dev.lazyz.scenes.StreamedScene
 import dev.lazyz.strategies.hybrid.HybridRenderer
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.StreamedMesh
 import java.io.UncheckedIOException
 import java.nio.ByteBuffer
@@ -162,17 +161,6 @@ class StreamedSceneTest {
     }
 
     @Test
-    fun textFarFromTheOriginKeepsItsDetails() {
-        val finite = terrain(40).filter { facet -> facet.corners.all { it.isFinite() } }
-        file.writeText(ascii(finite, 4e6))
-        assertSame()
-        stream().use { streamed ->
-            val mesh = streamed.loaded.scene.surfaces.single() as StreamedMesh
-            assertTrue(mesh.origin.x() > 3.9e6, "${mesh.origin}")
-        }
-    }
-
-    @Test
     fun aStreamIsCopied() {
         val bytes = binary(terrain(30))
         file.writeBytes(bytes)
@@ -213,15 +201,6 @@ class StreamedSceneTest {
     }
 
     @Test
-    fun endsolidMayBeMissingAtTheEnd() {
-        file.writeText(ascii(terrain(5)).substringBeforeLast("endsolid"))
-        stream().use { streamed ->
-            val warnings = streamed.loaded.warnings
-            assertTrue("endsolid is missing" in warnings.single(), warnings.toString())
-        }
-    }
-
-    @Test
     fun limitsApply() {
         val finite = terrain(100).filter { facet -> facet.corners.all { it.isFinite() } }
         val most = LoadLimits().withTriangles(9000)
@@ -252,20 +231,5 @@ class StreamedSceneTest {
             assertTrue(refused.cause is SceneReadException, "${refused.cause}")
             assertTrue("has become shorter" in refused.message!!, refused.message)
         }
-    }
-
-    @Test
-    fun aMissingFolderForTemporaryFilesIsReported() {
-        file.writeText(ascii(terrain(1).take(2)))
-        assertThrows(SceneFormatException::class.java) { Scenes.stream(file, spool = folder.resolve("none")) }
-    }
-
-    @Test
-    fun aFileWithoutFacetsIsAnEmptyScene() {
-        file.writeBytes(binary(emptyList()))
-        assertSame()
-        file.writeText("solid nothing\nendsolid\n")
-        assertSame()
-        assertTrue(stream().use { it.loaded.scene.bounds } == Scene(emptyList()).bounds)
     }
 }

@@ -18,15 +18,6 @@ class TextLinesTest {
     }
 
     @Test
-    fun positionIsTheStartOfTheNextLine() {
-        val lines = TextLines(TestSources.of("ab\r\ncd\n"))
-        lines.next()
-        assertEquals(4, lines.position)
-        lines.next()
-        assertEquals(7, lines.position)
-    }
-
-    @Test
     fun wordsPassOverEmptyLines() {
         val lines = TextLines(TestSources.of("\n \t\n a \t B\n"))
         assertTrue(lines.nextWordOfText() && lines.isWord("a") && lines.number == 3)

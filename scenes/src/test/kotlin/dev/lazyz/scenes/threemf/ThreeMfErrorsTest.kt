@@ -126,15 +126,6 @@ class ThreeMfErrorsTest {
     }
 
     @Test
-    fun damageIsReportedAndNothingElse() {
-        val colors = "<m:colorgroup id=\"2\"><m:color color=\"#FF0000\"/></m:colorgroup>"
-        val text = model(colors + one.replace("<triangle ", "<triangle pid=\"2\" p1=\"0\" "), item)
-        TestSources.assertSurvivesDamage(ThreeMfParser, ThreeMfFiles.of(text), changes = listOf(0xFF))
-        val stored = ThreeMfFiles.stored("a.model" to text.toByteArray())
-        TestSources.assertSurvivesDamage(ThreeMfParser, stored, changes = listOf(1))
-    }
-
-    @Test
     fun requiredExtensionsThatAreNotSupportedAreRefused() {
         val known = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02"
         fun file(words: String) = ThreeMfFiles.of(
@@ -147,19 +138,6 @@ class ThreeMfErrorsTest {
         for (words in listOf("k", "", " ")) {
             assertEquals(1, ThreeMfParser.parse(TestSources.of(file(words))).surfaces.size, words)
         }
-    }
-
-    @Test
-    fun slicesAreNotNeededIfThereAreTriangles() {
-        val slices = "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07"
-        fun file(object1: String) = ThreeMfFiles.of(
-            model(object1, item).replace("<model ", "<model requiredextensions=\"s\" xmlns:s=\"$slices\" "),
-        )
-        val source = TestSources.of(file(one))
-        assertEquals(1, ThreeMfParser.parse(source).surfaces.size)
-        assertEquals("test: the file requires slices, which are not shown; its triangles are", source.warnings.single())
-        val empty = "<object id=\"1\" s:slicestackid=\"2\"><mesh><vertices/><triangles/></mesh></object>"
-        assertFails(file(empty), "3D/3dmodel.model", "the file requires slices, and has no triangles")
     }
 
     @Test

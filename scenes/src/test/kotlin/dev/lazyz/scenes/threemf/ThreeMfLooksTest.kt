@@ -67,14 +67,6 @@ class ThreeMfLooksTest {
     }
 
     @Test
-    fun baseMaterialsWithoutAlphaAreOpaque() {
-        val group = "<basematerials id=\"1\"><base displaycolor=\"#CAD1EE00\"/></basematerials>"
-        val mesh = meshes(group + thing("id=\"9\" pid=\"1\"", ""), item).single()
-        assertEquals("FFCAD1EE", mesh.codes()[0])
-        assertEquals(AlphaMode.OPAQUE, mesh.material.alphaMode)
-    }
-
-    @Test
     fun componentsWithoutLooksHaveThoseOfTheWhole() {
         val whole = "<object id=\"9\" pid=\"2\" pindex=\"0\"><components><component objectid=\"4\"/>" +
             "<component objectid=\"5\"/></components></object>"
@@ -174,14 +166,6 @@ class ThreeMfLooksTest {
         val more = listOf("what is not shown: 1 layers of multiproperties")
         assertEquals(listOf("FF00FF00", "FFFFFFFF"), texels(layered(bases + colors, "1 2 4", more)))
         assertEquals(listOf("00090909", "FFFFFFFF"), texels(layered("", "4")))
-    }
-
-    @Test
-    fun aColourIsShownWhereTheTextureOnItIsUnusable() {
-        val lost = "texture /3D/Textures/v.png is not in the package and is left out"
-        val material = layered(colors, "2 4", listOf(lost), "v.png")
-        assertNull(material.texture)
-        assertEquals(Rgba(0f, 1f, 0f), material.baseColor)
     }
 
     @Test

@@ -40,18 +40,6 @@ class ThreeMfParserTest {
     }
 
     @Test
-    fun whatIsNotPlacedIsNotSaidToBeMissing() {
-        val empty = "<object id=\"1\"><mesh><vertices/><triangles/></mesh></object>"
-        val support = "<object id=\"1\" type=\"support\">$TRIANGLE</object>"
-        val end = ", so there is nothing to see"
-        assertEquals(0, meshes(one, "", "no object is an item of the build$end").size)
-        assertEquals(0, meshes("", "", "there are no objects$end").size)
-        assertEquals(0, meshes(empty, item(1), "the objects of the build have no triangles$end").size)
-        val warnings = arrayOf("1 support structures are not shown", "the build has only supports$end")
-        assertEquals(0, meshes(support, item(1), *warnings).size)
-    }
-
-    @Test
     fun transformsMultiplyRows() {
         // x goes to y, y to twice z, and all move by 10, 20, 30
         val mesh = meshes(one, item(1, "0 1 0  0 0 2  1 0 0 10 20 30")).single()
@@ -88,16 +76,6 @@ class ThreeMfParserTest {
             "</components></object>"
         val build = item(1) + "<item p:path=\"/3d/objects/A B.model\" objectid=\"1\" printable=\"0\"/>"
         assertEquals(2, meshes(ThreeMfFiles.of(model(two, build), "3D/Objects/a b.model" to part)).size)
-    }
-
-    @Test
-    fun theModelIsFoundWithoutRelationships() {
-        val text = model(one, item(1)).toByteArray()
-        assertEquals(1, meshes(ThreeMfFiles.zip("a.txt" to ByteArray(1), "some/Where.MODEL" to text)).size)
-        val elsewhere = ThreeMfFiles.RELATIONSHIPS.replace("3D/3dmodel", "x/y").toByteArray()
-        val other = model("", "").toByteArray()
-        val files = listOf("3D/3dmodel.model" to other, "x/y.model" to text, "_rels/.rels" to elsewhere)
-        assertEquals(1, meshes(ThreeMfFiles.zip(*files.toTypedArray())).size)
     }
 
     @Test

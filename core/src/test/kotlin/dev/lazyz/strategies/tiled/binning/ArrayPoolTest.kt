@@ -9,23 +9,10 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import java.lang.management.ManagementFactory
 import java.util.Random
-import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class ArrayPoolTest {
-    @Test
-    fun roomySizesAreFewAndNotMuchTooLarge() {
-        val sizes = HashSet<Int>()
-        for (least in 1..100_000) {
-            val size = ArrayPool.roomy(least)
-            assertTrue(size >= least && size <= least + maxOf(least, 64) / 8) { "$least: $size" }
-            sizes += size
-        }
-        assertTrue(sizes.size < 100) { "${sizes.size}" }
-        assertEquals(Int.MAX_VALUE - 7, ArrayPool.roomy(Int.MAX_VALUE - 7))
-    }
-
     @Test
     fun framesThatAreAlikeAllocateNothingLarge() {
         val mesh = SampleScenes.soup(Random(1), 3000, Material())

@@ -67,25 +67,6 @@ class GltfMaterialsTest {
     }
 
     @Test
-    fun roughnessWidensTheHighlight() {
-        fun rough(roughness: String) = pbr(""""metallicFactor":0,"roughnessFactor":$roughness""")
-        val shininess = listOf("0", "0.1", "0.5", "0.8", "1").map { rough(it).shininess }
-        assertEquals(listOf(1024, 1024, 30, 3, 1), shininess)
-        for ((roughness, peak) in listOf("0" to 1f, "0.5" to 0.08f, "0.8" to 0.005f, "1" to 0f)) {
-            assertEquals(peak, rough(roughness).specular.red, 1e-6f, roughness)
-        }
-    }
-
-    @Test
-    fun metalsReflectTheirColour() {
-        val gold = pbr(""""baseColorFactor":[1,0.8,0.2,1],"roughnessFactor":0.3""")
-        assertEquals(Rgba(1f, 0.8f, 0.2f), gold.specular)
-        assertEquals(Rgba(1f, 0.8f, 0.2f), gold.baseColor)
-        val plastic = pbr(""""baseColorFactor":[1,0.8,0.2,1],"roughnessFactor":0.5,"metallicFactor":0""")
-        assertEquals(plastic.specular.red, plastic.specular.blue)
-    }
-
-    @Test
     fun extensionsChangeLight() {
         assertEquals(Shading.CONSTANT, material("""{"extensions":{"KHR_materials_unlit":{}}}""").shading)
         val strength = """"KHR_materials_emissive_strength":{"emissiveStrength":4}"""

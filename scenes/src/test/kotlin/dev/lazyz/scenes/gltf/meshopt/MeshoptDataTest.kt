@@ -65,14 +65,6 @@ class MeshoptDataTest {
         }
     }
 
-    @Test
-    fun trianglesBesideTheLastEdge() {
-        // A new triangle; then a vertex 10 beyond, the one after that, and the one before that
-        val bytes = listOf(0xE1, 0xFE, 0x0F, 0x0E, 0x0D, 0x00, 0x14) + List(16) { 0 }
-        val data = MeshoptData("TRIANGLES", "NONE", 12, 4).decode(ByteArray(bytes.size) { bytes[it].toByte() })
-        assertEquals(listOf(0, 1, 2, 0, 2, 10, 0, 10, 11, 0, 11, 10), List(12) { data.getInt(4 * it) })
-    }
-
     /** Triangles may begin with any of their corners. */
     private fun turned(indices: List<Int>) = indices.chunked(3).map { t ->
         val least = t.indexOf(t.min())
