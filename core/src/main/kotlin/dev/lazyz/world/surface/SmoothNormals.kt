@@ -37,8 +37,9 @@ internal class SmoothNormals(
         val chunks = List((byPosition.count + CHUNK - 1) / CHUNK) {
             CornerNormals(mesh.positions, mesh.triangles, creaseAngle, firstCopy, triangles)
         }
-        Workers.ALL.forEach(chunks.size, checkpoint) { chunk, _ ->
+        Workers.ALL.forEach(chunks.size, checkpoint) { chunk, own ->
             for (position in chunk * CHUNK until minOf((chunk + 1) * CHUNK, byPosition.count)) {
+                if (Checkpoint.isDue(position)) own.pass()
                 chunks[chunk].add(byPosition.corners, byPosition.starts[position], byPosition.starts[position + 1])
             }
         }
