@@ -39,8 +39,10 @@ internal class SmoothNormals(
         }
         Workers.ALL.forEach(chunks.size, checkpoint) { chunk, own ->
             for (position in chunk * CHUNK until minOf((chunk + 1) * CHUNK, byPosition.count)) {
-                if (Checkpoint.isDue(position)) own.pass()
-                chunks[chunk].add(byPosition.corners, byPosition.starts[position], byPosition.starts[position + 1])
+                val start = byPosition.starts[position]
+                val end = byPosition.starts[position + 1]
+                if (Checkpoint.isDue(position) || end - start > MANY) own.pass()
+                chunks[chunk].add(byPosition.corners, start, end)
             }
         }
         return Copies(byPosition.positionOf, IntArray(chunks.size) { chunks[it].size }, chunks.map { it.normals })
@@ -91,5 +93,8 @@ internal class SmoothNormals(
     private companion object {
         /** Number of positions in one task of a thread. */
         const val CHUNK = 1 shl 16
+
+        /** Number of corners at one position that take long, as each is compared with each. */
+        const val MANY = 32
     }
 }
