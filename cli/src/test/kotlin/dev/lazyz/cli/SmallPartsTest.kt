@@ -31,7 +31,9 @@ class SmallPartsTest {
         }
         assertEquals("city", EditDistance.nearest("cty", names))
         assertEquals("molecule", EditDistance.nearest("mol", names))
-        for (other in listOf("", "x", "te", "bunny", "teapot-on-a-table")) assertNull(EditDistance.nearest(other, names), other)
+        for (other in listOf("", "x", "te", "bunny", "teapot-on-a-table")) {
+            assertNull(EditDistance.nearest(other, names), other)
+        }
         assertNull(EditDistance.nearest("x", listOf("y", "z")))
         assertNull(EditDistance.nearest("teapot", listOf()))
     }

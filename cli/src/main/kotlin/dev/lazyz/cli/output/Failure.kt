@@ -23,7 +23,9 @@ internal object Failure {
 
     /** Returns the message for the user, or null if [failure] is a bug in zcli. */
     fun mistake(failure: Throwable): String? = when (failure) {
-        is Mistake, is NoPictureException, is SceneFormatException -> failure.message?.lines()?.joinToString("\n", transform = ::printable)
+        is Mistake, is NoPictureException, is SceneFormatException ->
+            failure.message?.lines()?.joinToString("\n", transform = ::printable)
+
         is FileSystemException -> describe(failure)
         is OutOfMemoryError -> outOfMemory(failure)
         is UncheckedIOException -> failure.cause?.let(::mistake)

@@ -130,7 +130,8 @@ class HybridRendererTest {
         assertTrue(counters.peakBytes < imageBytes + 2 * vertices + records * 1200L) { counters.toString() }
     }
 
-    private fun render(frame: Frame, budget: Long): Image = HybridRenderer(RenderOptions(memoryBudget = budget)).render(frame)
+    private fun render(frame: Frame, budget: Long): Image =
+        HybridRenderer(RenderOptions(memoryBudget = budget)).render(frame)
 
     private fun stream(hybrid: HybridRenderer, primitives: Flow<Primitive>): Image = runBlocking {
         val collector = Image.Collector(raster.region)

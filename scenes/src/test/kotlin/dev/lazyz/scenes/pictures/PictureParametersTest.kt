@@ -45,7 +45,8 @@ class PictureParametersTest {
             .map { it.resolve("docs/parameters.md") }.first { Files.exists(it) }
         val text = page.readText()
         val table = PictureParameters.all.groupBy { it.group }.map { (group, rows) ->
-            "## ${group.title}\n\n| parameter | what it does | service | Spark | scene file |\n|---|---|---|---|---|\n" +
+            "## ${group.title}\n\n" +
+                "| parameter | what it does | service | Spark | scene file |\n|---|---|---|---|---|\n" +
                 rows.joinToString("") { row(it) }
         }.joinToString("\n")
         val expected = text.substringBefore("## ${ParameterGroup.READING.title}\n") + table
@@ -55,7 +56,9 @@ class PictureParametersTest {
 
     private fun row(parameter: PictureParameter<*>): String {
         val term = listOfNotNull(parameter.name, parameter.values.form).joinToString(" ")
-        val doors = (PictureDoor.entries - PictureDoor.COMMAND_LINE).joinToString(" | ") { parameter.missing[it] ?: "✓" }
+        val doors = (PictureDoor.entries - PictureDoor.COMMAND_LINE).joinToString(" | ") {
+            parameter.missing[it] ?: "✓"
+        }
         return "| `--$term` | ${parameter.text().replace("INPUT", "the input")} | $doors |\n"
     }
 }
