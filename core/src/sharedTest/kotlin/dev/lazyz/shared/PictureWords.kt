@@ -59,7 +59,8 @@ object PictureWords {
 
     /**
      * Combinations of [names], each of which has values in [all]: every value alone, also those that mean nothing, and
-     * with a few other parameters, chosen by steps of a prime number through the list.
+     * with a few other parameters, chosen by steps of a prime number through the list. By default a third of these, with
+     * `-Dlazyz.effort=rest` the others, with `full` all.
      */
     fun combinations(names: List<String>): List<Map<String, String>> {
         val alone = names.flatMap { name -> all.getValue(name).map { mapOf(name to it) } }
@@ -69,9 +70,16 @@ object PictureWords {
                 pair.associateWith { all.getValue(it)[(first + step) % 2] }
             }
         }
-        return alone + pairs
+        return (alone + pairs).filterIndexed { i, _ ->
+            when (System.getProperty("lazyz.effort")) {
+                null -> i % PARTS == 0
+                "rest" -> i % PARTS != 0
+                else -> true
+            }
+        }
     }
 
     private const val PAIRS = 3
     private const val PRIME = 7
+    private const val PARTS = 3
 }

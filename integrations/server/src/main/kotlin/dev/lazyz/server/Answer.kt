@@ -1,6 +1,6 @@
 package dev.lazyz.server
 
-import dev.lazyz.server.render.Picture
+import dev.lazyz.server.render.RenderedPicture
 import dev.lazyz.server.render.Problem
 import io.netty.buffer.Unpooled
 import io.netty.channel.ChannelFuture
@@ -28,7 +28,7 @@ import kotlinx.serialization.json.put
 internal class Answer private constructor(
     val status: HttpResponseStatus,
     val text: String,
-    val picture: Picture?,
+    val picture: RenderedPicture?,
     val detail: String,
 ) {
     val headers: HttpHeaders = DefaultHttpHeaders()
@@ -71,7 +71,7 @@ internal class Answer private constructor(
             }
 
         /** A picture, or only its name if the client has it, because [known] names it. */
-        fun picture(picture: Picture, known: String?): Answer {
+        fun picture(picture: RenderedPicture, known: String?): Answer {
             val tag = "\"${picture.tag}\""
             val isKnown = known != null && known.split(',').any { it.trim().removePrefix("W/") in listOf(tag, "*") }
             val status = if (isKnown) HttpResponseStatus.NOT_MODIFIED else HttpResponseStatus.OK

@@ -1,7 +1,7 @@
 package dev.lazyz.server
 
 import dev.lazyz.server.render.Problem
-import dev.lazyz.server.render.RenderJob
+import dev.lazyz.server.render.QueuedJob
 import io.netty.channel.ChannelHandlerContext
 import io.netty.channel.SimpleChannelInboundHandler
 import io.netty.channel.socket.SocketChannel
@@ -38,8 +38,8 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
 
     // The request in work
     private var line: RequestLine? = null
-    private var render: RenderRequest? = null
-    private var job: RenderJob? = null
+    private var render: RenderExchange? = null
+    private var job: QueuedJob? = null
     private var isLastRequest = false
     private var isReceived = true
     private var hasBody = false
@@ -104,7 +104,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         try {
             val target = QueryStringDecoder(RequestHead.originForm(request.uri()))
             if (target.path() != "/render") return send(Pages.help(request.method(), target.path()))
-            val render = RenderRequest(service, request, target.parameters())
+            val render = RenderExchange(service, request, target.parameters())
             this.render = render
             state = State.UPLOAD
             clock.after(config.uploadTime) {
@@ -137,7 +137,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         }
     }
 
-    private fun checkRate(render: RenderRequest) {
+    private fun checkRate(render: RenderExchange) {
         if (state != State.UPLOAD) return
         val seconds = checkNotNull(line).seconds
         if (seconds > RATE_GRACE && render.upload.size < config.uploadRate * seconds) {
@@ -147,7 +147,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
 
     private fun tooSlow(message: String) = Problem(Problem.TIMEOUT, message)
 
-    private fun enqueue(render: RenderRequest) {
+    private fun enqueue(render: RenderExchange) {
         clock.endEach()
         val job = render.enqueue(
             started = { later { started() } },
@@ -171,7 +171,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         }
     }
 
-    private fun ended(outcome: RenderJob.Outcome) {
+    private fun ended(outcome: QueuedJob.Outcome) {
         outcome.bug?.let(service::report)
         if (state != State.WORK) return giveBack(outcome)
         if (outcome.problem != null) return fail(outcome.problem)
@@ -179,7 +179,7 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         send(Answer.picture(picture, checkNotNull(render).known)) { giveBack(outcome) }
     }
 
-    private fun giveBack(outcome: RenderJob.Outcome) {
+    private fun giveBack(outcome: QueuedJob.Outcome) {
         outcome.picture?.let { service.queue.giveBack(it.memory) }
     }
 

@@ -13,7 +13,7 @@ public fun main(args: Array<String>) {
     System.setProperty("joml.nounsafe", "true")
     System.setProperty("io.netty.noUnsafe", "true")
     when {
-        args.any { it == "--help" || it == "-h" } -> println(CommandLine.help())
+        args.any { it == "--help" || it == "-h" } -> println(ServerOptions.help())
         "--version" in args -> println("lazyz-server ${version()}")
         else -> serve(args.asList())
     }
@@ -21,8 +21,8 @@ public fun main(args: Array<String>) {
 
 private fun serve(args: List<String>) {
     val server = try {
-        RenderServer(CommandLine.config(args)).start()
-    } catch (mistake: Mistake) {
+        RenderServer(ServerOptions.config(args)).start()
+    } catch (mistake: OptionMistake) {
         exit("${mistake.message}\nSee --help.")
     } catch (unavailable: IOException) {
         exit(unavailable.message.orEmpty())

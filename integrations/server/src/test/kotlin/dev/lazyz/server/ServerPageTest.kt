@@ -17,8 +17,8 @@ class ServerPageTest {
     @Test
     fun options() {
         val own = setOf("--version", "--help", "--data-binary")
-        assertEquals(CommandLine.options.map { it.name }.toSet(), found("(--[a-z][a-z-]+)\\b") - own)
-        for (option in CommandLine.options) assertTrue("`${option.name} ${option.form}`" in page, option.name)
+        assertEquals(ServerOptions.options.map { it.name }.toSet(), found("(--[a-z][a-z-]+)\\b") - own)
+        for (option in ServerOptions.options) assertTrue("`${option.name} ${option.form}`" in page, option.name)
     }
 
     @Test

@@ -5,7 +5,7 @@ import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.ImageFiles
 import dev.lazyz.scenes.writers.ImageFormat
 import dev.lazyz.spark.triangles.BandSamples
-import dev.lazyz.spark.triangles.CameraValues
+import dev.lazyz.spark.triangles.SerializableCamera
 import dev.lazyz.spark.triangles.PartDrawing
 import dev.lazyz.spark.triangles.PictureSetUp
 import dev.lazyz.spark.triangles.TriangleScene
@@ -96,7 +96,7 @@ public class TrianglePicture @JvmOverloads constructor(
     private val extent by lazy { TableExtent.of(rows, scene) }
     private val camera by lazy { scene.scene(extent).camera(width, height) }
     private val setUp by lazy {
-        PictureSetUp(scene, CameraValues(camera), width, height, PictureSetUp.bandRows(width, height))
+        PictureSetUp(scene, SerializableCamera(camera), width, height, PictureSetUp.bandRows(width, height))
     }
     private val planner by lazy { Planner(extent.parts, setUp.drawing().raster, camera) }
     private val chosen: SortOrder

@@ -2,8 +2,8 @@ package dev.lazyz.spark
 
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.spark.triangles.files.ByteRanges
-import dev.lazyz.spark.triangles.files.PlyFaces
-import dev.lazyz.spark.triangles.files.PlyVertices
+import dev.lazyz.spark.triangles.files.FaceRecords
+import dev.lazyz.spark.triangles.files.VertexRecords
 import dev.lazyz.spark.triangles.files.SplitPly
 import dev.lazyz.spark.triangles.files.SplitStl
 import dev.lazyz.spark.triangles.files.StlFacets
@@ -68,8 +68,9 @@ public object TriangleTable {
     @Throws(SceneFormatException::class)
     public fun readPly(spark: SparkSession, path: String, partitionBytes: Long = USUAL_BYTES): Dataset<Row> {
         val file = SplitPly.open(spark, path)
-        val vertices = ByteRanges.read(spark, file.vertexRanges(partitionBytes), PlyVertices(file), PlyVertices.SCHEMA)
-        var faces = ByteRanges.read(spark, file.faceRanges(partitionBytes), PlyFaces(file), PlyFaces.SCHEMA)
+        val vertexRanges = file.vertexRanges(partitionBytes)
+        val vertices = ByteRanges.read(spark, vertexRanges, VertexRecords(file), VertexRecords.SCHEMA)
+        var faces = ByteRanges.read(spark, file.faceRanges(partitionBytes), FaceRecords(file), FaceRecords.SCHEMA)
         for (corner in 0..2) {
             val own = vertices.toDF("v$corner", "x$corner", "y$corner", "z$corner")
             faces = faces.join(own, "v$corner")

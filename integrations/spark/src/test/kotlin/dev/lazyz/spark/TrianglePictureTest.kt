@@ -10,7 +10,7 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.writers.toPng
-import dev.lazyz.spark.triangles.CameraValues
+import dev.lazyz.spark.triangles.SerializableCamera
 import dev.lazyz.spark.triangles.TriangleScene
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Camera
@@ -46,7 +46,7 @@ class TrianglePictureTest {
 
     /** The scene of the tests, for any of the triangles. The camera is the one that is fitted to the teapot. */
     private class Upright(width: Int, height: Int) : TriangleScene {
-        private val camera = CameraValues(fitted(teapot).camera(width, height))
+        private val camera = SerializableCamera(fitted(teapot).camera(width, height))
 
         override fun scene(triangles: Surface): Scene = fitted(triangles).withViewpoint(camera.camera())
 
@@ -180,7 +180,7 @@ class TrianglePictureTest {
             val triangles = TriangleTable.readPly(spark, "$file", partitionBytes = 9000)
             val loaded = Scenes.load(file, LoadOptions(smoothNormals = false)).scene.surfaces.single()
             val camera = Upright.fitted(loaded).camera(160, 120)
-            val values = CameraValues(camera)
+            val values = SerializableCamera(camera)
             val scene = TriangleScene { Upright.fitted(it).withViewpoint(values.camera()) }
             val expected = ZBufferRenderer().render(scene.scene(loaded).frame(160, 120))
             assertEquals(expected, image(TrianglePicture(triangles, 160, 120, scene)).first)

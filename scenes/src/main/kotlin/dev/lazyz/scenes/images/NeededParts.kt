@@ -24,7 +24,7 @@ internal object NeededParts {
 }
 
 /** Parts of an image file in order. Not thread safe. */
-internal class Parts(private val bytes: ByteArray) {
+internal class FileParts(private val bytes: ByteArray) {
     private val kept = ByteArrayOutputStream(bytes.size)
 
     /** Keeps the bytes from [from] to [until] (exclusive), as far as they are there. */
@@ -99,7 +99,7 @@ internal object GifBlocks {
     /** Returns the header and the first image, with the control block before it, which says what is transparent. */
     fun needed(bytes: ByteArray): ByteArray? {
         if (bytes.size < HEADER) return null
-        val parts = Parts(bytes)
+        val parts = FileParts(bytes)
         var at = HEADER + paletteSize(bytes.code(FLAGS))
         parts.keep(0, at)
         var control = 0 until 0
@@ -155,7 +155,7 @@ internal object JpegSegments {
 
     /** Returns the first image of the file without other segments, or null if it has too many scans. */
     fun needed(bytes: ByteArray): ByteArray? {
-        val parts = Parts(bytes)
+        val parts = FileParts(bytes)
         val colors = HashSet<Int>()
         var scans = 0
         var at = SIGNATURE.size
@@ -215,7 +215,7 @@ internal object NeededChunks {
 
     /** Returns the file without other chunks. */
     fun needed(bytes: ByteArray): ByteArray {
-        val parts = Parts(bytes)
+        val parts = FileParts(bytes)
         val buffer = ByteBuffer.wrap(bytes)
         parts.keep(0, SIGNATURE.size)
         var at = SIGNATURE.size

@@ -64,7 +64,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         request: PictureRequest,
         memory: Long,
         grow: (Long) -> Unit,
-    ): Picture {
+    ): RenderedPicture {
         val decoded = decoded(format, body.size)
         val own = limits.withDecodedBytes(decoded)
         val loaded = Scenes.load(body, format, "model", request.settings.loadOptions(own))
@@ -90,7 +90,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         requireGoingOn()
         val plan = plan(frame, maxOf(memory, setUp), items)
         if (!plan.fits) grow(plan.bytes)
-        val png = Picture.Bytes()
+        val png = RenderedPicture.Bytes()
         val hash = PixelHash()
         val rows = VisibleRows(frame.pixels.width)
         val size = ImageSize(frame.pixels.width, frame.pixels.height)
@@ -104,7 +104,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         if (work.fragments == 0L) throw nothing(loaded)
 
         // Width and height are not part of the hash
-        return Picture(png, "$size-${hash.digest()}", loaded.warnings + observer.warnings, rows.blank)
+        return RenderedPicture(png, "$size-${hash.digest()}", loaded.warnings + observer.warnings, rows.blank)
     }
 
     /** Returns the problem that the picture is empty, with the reasons. */

@@ -28,8 +28,8 @@ internal class RenderQueue(
 ) : AutoCloseable {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
-    private val jobs = ArrayDeque<RenderJob>()
-    private val atWork = LinkedHashSet<RenderJob>()
+    private val jobs = ArrayDeque<QueuedJob>()
+    private val atWork = LinkedHashSet<QueuedJob>()
     private val workers = LinkedHashSet<Thread>()
     private val watch = ScheduledThreadPoolExecutor(1) { Thread(it, "lazyz-render-watch").apply { isDaemon = true } }
     private var isClosed = false
@@ -69,7 +69,7 @@ internal class RenderQueue(
         }
 
     /** Adds [job], or returns false if the queue is full. */
-    fun offer(job: RenderJob): Boolean = lock.withLock {
+    fun offer(job: QueuedJob): Boolean = lock.withLock {
         check(job.need <= memory) { "the job needs ${job.need} bytes of $memory" }
         if (isFull) return false
         jobs.addLast(job)
@@ -83,7 +83,7 @@ internal class RenderQueue(
      * @throws MoreMemory if they are not free now. Waiting here could last forever: others that wait hold memory, too
      * @throws Problem if there is never that much
      */
-    fun grow(job: RenderJob, need: Long): Unit = lock.withLock {
+    fun grow(job: QueuedJob, need: Long): Unit = lock.withLock {
         if (need <= job.need) return
         if (need > memory) {
             val message = "drawing this model needs $need bytes of memory, and there are $memory; choose a smaller " +
@@ -96,7 +96,7 @@ internal class RenderQueue(
     }
 
     /** Ends [job] with [reason]: takes it out of the queue, or interrupts its work. */
-    fun cancel(job: RenderJob, reason: Problem) {
+    fun cancel(job: QueuedJob, reason: Problem) {
         if (cancelIfWaiting(job, reason)) return
         lock.withLock {
             if (job !in atWork || job.reason != null || isClosed) return
@@ -106,7 +106,7 @@ internal class RenderQueue(
     }
 
     /** Ends [job] with [reason] if its work has not begun. Returns whether it did. */
-    fun cancelIfWaiting(job: RenderJob, reason: Problem): Boolean {
+    fun cancelIfWaiting(job: QueuedJob, reason: Problem): Boolean {
         val wasWaiting = lock.withLock { jobs.remove(job).also { if (it) changed.signalAll() } }
         if (wasWaiting) drop(job, reason)
         return wasWaiting
@@ -160,7 +160,7 @@ internal class RenderQueue(
                 outcome(job)
             } catch (more: MoreMemory) {
                 if (retry(job, more.need)) continue
-                RenderJob.Outcome(null, CLOSED)
+                QueuedJob.Outcome(null, CLOSED)
             }
             val goesOn = lock.withLock {
                 val goesOn = leave(job)
@@ -168,7 +168,7 @@ internal class RenderQueue(
                 goesOn
             }
             quietly { job.released() }
-            val final = if (job.reason == null) outcome else RenderJob.Outcome(null, job.reason)
+            val final = if (job.reason == null) outcome else QueuedJob.Outcome(null, job.reason)
             if (!job.isGivenUp) quietly { job.ended(final) }
             if (!goesOn) break
         }
@@ -179,7 +179,7 @@ internal class RenderQueue(
     }
 
     /** Puts [job] in front of all others, to begin again with [need] bytes, unless it must end. */
-    private fun retry(job: RenderJob, need: Long): Boolean = lock.withLock {
+    private fun retry(job: QueuedJob, need: Long): Boolean = lock.withLock {
         if (isClosed || job.reason != null) return false
         leave(job)
         job.need = need
@@ -187,13 +187,13 @@ internal class RenderQueue(
         true
     }
 
-    private fun stop(job: RenderJob, reason: Problem) {
+    private fun stop(job: QueuedJob, reason: Problem) {
         job.reason = reason
         job.thread?.interrupt()
     }
 
     /** Ends [job], whose thread does not react, and starts another thread in its place, if there may be one. */
-    private fun giveUp(job: RenderJob) {
+    private fun giveUp(job: QueuedJob) {
         lock.withLock {
             if (!atWork.remove(job)) return
             job.isGivenUp = true
@@ -204,19 +204,19 @@ internal class RenderQueue(
             if (hanging <= threads && !isClosed) startWorker()
             changed.signalAll()
         }
-        quietly { job.ended(RenderJob.Outcome(null, job.reason)) }
+        quietly { job.ended(QueuedJob.Outcome(null, job.reason)) }
     }
 
-    private fun drop(job: RenderJob, reason: Problem) {
+    private fun drop(job: QueuedJob, reason: Problem) {
         quietly { job.released() }
-        quietly { job.ended(RenderJob.Outcome(null, reason)) }
+        quietly { job.ended(QueuedJob.Outcome(null, reason)) }
     }
 
     /**
      * Takes its thread and its memory from [job]. No interrupt for it comes after this. Returns whether this thread is
      * needed further: one that was given up may have been replaced.
      */
-    private fun leave(job: RenderJob): Boolean {
+    private fun leave(job: QueuedJob): Boolean {
         job.thread = null
         Thread.interrupted()
         taken -= job.need
@@ -230,7 +230,7 @@ internal class RenderQueue(
     }
 
     /** Returns the first job, as soon as there is memory for it, or null if the queue is closed. */
-    private fun next(): RenderJob? = lock.withLock {
+    private fun next(): QueuedJob? = lock.withLock {
         while (!isClosed) {
             val first = jobs.firstOrNull()
             if (first != null && first.need <= memory - taken) {
@@ -245,26 +245,26 @@ internal class RenderQueue(
         null
     }
 
-    private fun outcome(job: RenderJob): RenderJob.Outcome = try {
+    private fun outcome(job: QueuedJob): QueuedJob.Outcome = try {
         job.started()
-        RenderJob.Outcome(job.work(job), null)
+        QueuedJob.Outcome(job.work(job), null)
     } catch (more: MoreMemory) {
         throw more
     } catch (problem: Problem) {
-        RenderJob.Outcome(null, problem)
+        QueuedJob.Outcome(null, problem)
     } catch (unreadable: SceneReadException) {
         // Its message can name a path of the server, which is for the log
-        RenderJob.Outcome(null, Problem(Problem.BUG, "the server cannot read a file"), unreadable)
+        QueuedJob.Outcome(null, Problem(Problem.BUG, "the server cannot read a file"), unreadable)
     } catch (invalid: SceneFormatException) {
         // The loader can have met the end of the memory
         val isMemory = generateSequence(invalid.cause) { it.cause }.take(DEEPEST).any { it is OutOfMemoryError }
-        RenderJob.Outcome(null, if (isMemory) MEMORY else Problem(Problem.UNPROCESSABLE, ClientText.of(invalid)))
+        QueuedJob.Outcome(null, if (isMemory) MEMORY else Problem(Problem.UNPROCESSABLE, ClientText.of(invalid)))
     } catch (_: InterruptedException) {
-        RenderJob.Outcome(null, CLOSED)
+        QueuedJob.Outcome(null, CLOSED)
     } catch (_: OutOfMemoryError) {
-        RenderJob.Outcome(null, MEMORY)
+        QueuedJob.Outcome(null, MEMORY)
     } catch (bug: Throwable) {
-        RenderJob.Outcome(null, Problem(Problem.BUG, "the server has failed: this is a bug"), bug)
+        QueuedJob.Outcome(null, Problem(Problem.BUG, "the server has failed: this is a bug"), bug)
     }
 
     /** Calls [act]. A failure in it must not end a thread of the queue. */

@@ -18,10 +18,8 @@ import org.junit.jupiter.api.AfterAll
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 
 /** The parameters give the pictures and the messages of the library. */
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class ParametersTest {
     private val usual = PictureSettings().withDefault(PictureParameters.SIZE, ImageSize(40, 30))
 

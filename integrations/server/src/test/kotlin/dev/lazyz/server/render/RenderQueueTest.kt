@@ -18,16 +18,17 @@ import org.junit.jupiter.api.Test
 class RenderQueueTest {
     private val queue = RenderQueue(threads = 2, capacity = 2, memory = 100)
     private val begun = LinkedBlockingQueue<String>()
-    private val ended = LinkedBlockingQueue<RenderJob.Outcome>()
+    private val ended = LinkedBlockingQueue<QueuedJob.Outcome>()
     private val release = CountDownLatch(1)
     private val released = AtomicInteger()
-    private val picture = Picture(Picture.Bytes().apply { write(ByteArray(7)) }, "tag", emptyList(), null)
+    private val picture =
+        RenderedPicture(RenderedPicture.Bytes().apply { write(ByteArray(7)) }, "tag", emptyList(), null)
 
     @AfterEach
     fun close() = queue.close()
 
-    private fun job(name: String, need: Long, work: () -> Picture = { picture.also { release.await() } }) =
-        RenderJob(need, { work() }, { begun.add(name) }, { released.incrementAndGet() }, { ended.add(it) })
+    private fun job(name: String, need: Long, work: () -> RenderedPicture = { picture.also { release.await() } }) =
+        QueuedJob(need, { work() }, { begun.add(name) }, { released.incrementAndGet() }, { ended.add(it) })
 
     @Test
     fun jobsBeginInTheirOrderAsSoonAsThereIsMemory() {
@@ -84,7 +85,7 @@ class RenderQueueTest {
     @Test
     fun aJobGrowsOrBeginsAgainOrIsTooLarge() {
         fun growing(name: String, need: Long) =
-            RenderJob(10, { picture.also { _ -> queue.grow(it, need) } }, { begun.add(name) }, {}, { ended.add(it) })
+            QueuedJob(10, { picture.also { _ -> queue.grow(it, need) } }, { begun.add(name) }, {}, { ended.add(it) })
 
         queue.offer(growing("free", 90))
         assertEquals("free", take(begun))
@@ -140,7 +141,7 @@ class RenderQueueTest {
     }
 
     /** A thread that no interrupt ends. */
-    private fun hang(): Picture {
+    private fun hang(): RenderedPicture {
         while (release.count > 0) runCatching { release.await() }
         return picture
     }

@@ -19,7 +19,7 @@ import java.io.Serializable
  */
 internal class PictureSetUp(
     private val scene: TriangleScene,
-    private val camera: CameraValues,
+    private val camera: SerializableCamera,
     val width: Int,
     val height: Int,
     private val bandRows: Int,

@@ -15,7 +15,7 @@ import dev.lazyz.spark.TrianglePicture
 import dev.lazyz.spark.TriangleTable
 import dev.lazyz.spark.pictures.DistributedPicture
 import dev.lazyz.spark.pictures.PictureSource
-import dev.lazyz.spark.triangles.CameraValues
+import dev.lazyz.spark.triangles.SerializableCamera
 import dev.lazyz.spark.triangles.TriangleScene
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Camera
@@ -156,7 +156,8 @@ private class FaultDrill(private val spark: SparkSession, private val folder: Pa
 
     fun aPoisonedPartitionChangesNothing() {
         val clean = folder.resolve("clean.stl").also { it.writeBytes(Models.stl(24)) }
-        val camera = CameraValues(Scene(load(clean), viewpoint = Camera.fit()).withUpAxis(UpAxis.Z).camera(800, 600))
+        val scene = Scene(load(clean), viewpoint = Camera.fit()).withUpAxis(UpAxis.Z)
+        val camera = SerializableCamera(scene.camera(800, 600))
         val file = folder.resolve("poisoned.stl").also { it.writeBytes(poisoned(clean.readBytes())) }
         val seen = TriangleScene { Scene(listOf(it), viewpoint = camera.camera()) }
         val expected = TiledRenderer().render(seen.scene(load(file).single()).frame(800, 600)).pixelHash()
@@ -206,7 +207,7 @@ private class FaultDrill(private val spark: SparkSession, private val folder: Pa
     fun aKilledExecutorChangesNoTriangles() {
         val file = folder.resolve("teapot.stl").also { it.writeBytes(Models.stl(24)) }
         val loaded = Scenes.load(file, LoadOptions(smoothNormals = false)).scene.surfaces.single()
-        val camera = CameraValues(SlowTriangles.scene(loaded).camera(1200, 900))
+        val camera = SerializableCamera(SlowTriangles.scene(loaded).camera(1200, 900))
         val seen = TriangleScene { SlowTriangles.scene(it).withViewpoint(camera.camera()) }
         val expected = TiledRenderer().render(seen.scene(loaded).frame(1200, 900)).pixelHash()
         val triangles = TriangleTable.readStl(spark, "$file", partitionBytes = 100_000)

@@ -6,7 +6,7 @@ import dev.lazyz.spark.SortWays
 import dev.lazyz.spark.TrianglePicture
 import dev.lazyz.spark.TriangleTable
 import dev.lazyz.spark.scaling.BumpySphere
-import dev.lazyz.spark.triangles.CameraValues
+import dev.lazyz.spark.triangles.SerializableCamera
 import dev.lazyz.spark.triangles.TriangleScene
 import dev.lazyz.strategies.tiled.TiledRenderer
 import java.nio.ByteBuffer
@@ -34,7 +34,7 @@ fun main(arguments: Array<String>) {
     val triangles = writeSphere(file, rings)
     println("a sphere of $triangles triangles, ${Files.size(file)} bytes")
 
-    val camera = CameraValues(BumpySphere(PREVIEW).camera(WIDTH, HEIGHT))
+    val camera = SerializableCamera(BumpySphere(PREVIEW).camera(WIDTH, HEIGHT))
     val seen = TriangleScene { BumpySphere.SCENE.scene(it).withViewpoint(camera.camera()) }
     val (expected, alone) = timed {
         val hash = PixelHash()

@@ -20,7 +20,7 @@ import dev.lazyz.spark.TrianglePicture
 import dev.lazyz.spark.TriangleTable
 import dev.lazyz.spark.pictures.DistributedPicture
 import dev.lazyz.spark.pictures.PictureSource
-import dev.lazyz.spark.triangles.CameraValues
+import dev.lazyz.spark.triangles.SerializableCamera
 import dev.lazyz.spark.triangles.TriangleScene
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Scene
@@ -101,7 +101,7 @@ private fun moved() {
     val near = TriangleTable.readStl(TestSpark.session, "$file", partitionBytes = 800_000).cache()
     val mixed = near.repartition(16, col("index")).cache()
     for ((width, height) in listOf(1000 to 750, 2000 to 1500)) {
-        val camera = CameraValues(fitted.scene(loaded).camera(width, height))
+        val camera = SerializableCamera(fitted.scene(loaded).camera(width, height))
         val scene = TriangleScene { fitted.scene(it).withViewpoint(camera.camera()) }
         val expected = TiledRenderer().render(scene.scene(loaded).frame(width, height))
         println("${width}x$height: ${expected.visible} visible, ${expected.counters.primitives} triangles")

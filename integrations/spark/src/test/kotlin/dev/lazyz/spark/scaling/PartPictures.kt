@@ -1,7 +1,7 @@
 package dev.lazyz.spark.scaling
 
 import dev.lazyz.Counters
-import dev.lazyz.spark.triangles.CameraValues
+import dev.lazyz.spark.triangles.SerializableCamera
 import dev.lazyz.spark.triangles.FragmentRuns
 import dev.lazyz.spark.triangles.PictureSetUp
 import dev.lazyz.spark.triangles.jobs.BandPart
@@ -41,7 +41,7 @@ internal class PartPictures(
     strips: Int,
     bandRows: Int = PictureSetUp.bandRows(width, height),
 ) {
-    private val camera = CameraValues(sphere.camera(width, height))
+    private val camera = SerializableCamera(sphere.camera(width, height))
     private val stripRows = height / strips
 
     init {

@@ -68,7 +68,7 @@ internal class SplitPly private constructor(val bytes: SharedFile, records: PlyR
 }
 
 /** Reads vertices: number, x, y, z. */
-internal class PlyVertices(private val file: SplitPly) : RecordReader {
+internal class VertexRecords(private val file: SplitPly) : RecordReader {
     override fun rows(range: ByteRange): Iterator<Row> {
         val bytes = file.read(range, file.vertexStride)
         return (0 until range.count).asSequence().map { number ->
@@ -87,7 +87,7 @@ internal class PlyVertices(private val file: SplitPly) : RecordReader {
 }
 
 /** Reads faces: index, and three numbers of vertices. */
-internal class PlyFaces(private val file: SplitPly) : RecordReader {
+internal class FaceRecords(private val file: SplitPly) : RecordReader {
     override fun rows(range: ByteRange): Iterator<Row> {
         val bytes = file.read(range, PlyRecords.FACE_BYTES)
         return (0 until range.count).asSequence().map { number ->

@@ -6,10 +6,10 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-class CommandLineTest {
+class ServerOptionsTest {
     @Test
     fun valuesFollowTheirOptions() {
-        val config = CommandLine.config(
+        val config = ServerOptions.config(
             listOf("--port=0", "--host", "::1", "--memory", "64m", "--upload-time=0.5", "--max-triangles", "7"),
         )
         assertEquals(0, config.port)
@@ -22,12 +22,13 @@ class CommandLineTest {
 
     @Test
     fun everyOptionAcceptsAValue() {
-        for (option in CommandLine.options) {
+        for (option in ServerOptions.options) {
             val value = if (option.form == "SIZE") "2m" else "9"
-            CommandLine.config(listOf(option.name, value))
-            assertTrue("  ${option.name} ${option.form}\n" in CommandLine.help(), option.name)
+            ServerOptions.config(listOf(option.name, value))
+            assertTrue("  ${option.name} ${option.form}\n" in ServerOptions.help(), option.name)
             if (option.form != "HOST") {
-                val mistake = assertThrows(Mistake::class.java) { CommandLine.config(listOf(option.name, "none")) }
+                val words = listOf(option.name, "none")
+                val mistake = assertThrows(OptionMistake::class.java) { ServerOptions.config(words) }
                 assertTrue(mistake.message!!.startsWith("${option.name} none: not "), mistake.message)
             }
         }
@@ -43,7 +44,7 @@ class CommandLineTest {
                 "${Runtime.getRuntime().maxMemory()} bytes: 10485758951424; start Java with a larger -Xmx",
             listOf("--memory", "1k") to "--memory 1k: memory must be at least 1048576 bytes: 1024",
         )) {
-            assertEquals(message, assertThrows(Mistake::class.java) { CommandLine.config(words) }.message)
+            assertEquals(message, assertThrows(OptionMistake::class.java) { ServerOptions.config(words) }.message)
         }
     }
 }

@@ -7,7 +7,7 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /** The values of a camera, on their way to an executor. */
-internal class CameraValues(camera: Camera) : Serializable {
+internal class SerializableCamera(camera: Camera) : Serializable {
     private val eye = values(camera.eye)
     private val target = values(camera.target)
     private val up = values(camera.up)

@@ -3,10 +3,10 @@ package dev.lazyz.server
 import java.time.Duration
 
 /** A mistake of the user. */
-internal class Mistake(message: String) : RuntimeException(message)
+internal class OptionMistake(message: String) : RuntimeException(message)
 
 /** The options of the program `lazyz-server`. */
-internal object CommandLine {
+internal object ServerOptions {
     /**
      * An option with a value.
      *
@@ -92,7 +92,7 @@ internal object CommandLine {
     /**
      * Returns the settings that [args] describe; values follow their names after a space or `=`.
      *
-     * @throws Mistake if an option or a value is wrong
+     * @throws OptionMistake if an option or a value is wrong
      */
     fun config(args: List<String>): ServerConfig {
         var config = ServerConfig(adminPort = ADMIN_PORT, log = { println(it) })
@@ -100,13 +100,13 @@ internal object CommandLine {
         while (words.isNotEmpty()) {
             val word = words.removeFirst()
             val name = word.substringBefore('=')
-            val option = options.firstOrNull { it.name == name } ?: throw Mistake("there is no option '$name'")
+            val option = options.firstOrNull { it.name == name } ?: throw OptionMistake("there is no option '$name'")
             val value = if ('=' in word) word.substringAfter('=') else words.removeFirstOrNull()
-            if (value == null) throw Mistake("$name needs a value, ${option.form}")
+            if (value == null) throw OptionMistake("$name needs a value, ${option.form}")
             config = try {
                 option.apply(config, value)
             } catch (wrong: IllegalArgumentException) {
-                throw Mistake("$name $value: ${wrong.message}")
+                throw OptionMistake("$name $value: ${wrong.message}")
             }
         }
         return config

@@ -13,7 +13,7 @@ import java.io.InputStream
  * @param warnings what the loader has left out
  * @property blank why there is nothing to see in it, or null
  */
-internal class Picture(private val png: Bytes, val tag: String, warnings: List<String>, val blank: Blank?) {
+internal class RenderedPicture(private val png: Bytes, val tag: String, warnings: List<String>, val blank: Blank?) {
     /** The number of warnings. */
     val warningCount = warnings.size
 

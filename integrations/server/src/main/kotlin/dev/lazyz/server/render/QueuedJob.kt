@@ -10,9 +10,9 @@ package dev.lazyz.server.render
  * @param released is called once, when no thread is at work any more
  * @param ended is called once, with the picture or the problem: after that, or, if the queue gives up, before it
  */
-internal class RenderJob(
+internal class QueuedJob(
     need: Long,
-    val work: (RenderJob) -> Picture,
+    val work: (QueuedJob) -> RenderedPicture,
     val started: () -> Unit,
     val released: () -> Unit,
     val ended: (Outcome) -> Unit,
@@ -21,7 +21,7 @@ internal class RenderJob(
      * The result: one of the two is null. The memory of the picture stays reserved; give it back to the queue when the
      * picture has been sent.
      */
-    class Outcome(val picture: Picture?, val problem: Problem?, val bug: Throwable? = null)
+    class Outcome(val picture: RenderedPicture?, val problem: Problem?, val bug: Throwable? = null)
 
     /** Bytes of memory that the work takes. Guarded by the lock of the queue; during the work only that changes it. */
     var need: Long = need

@@ -2,10 +2,10 @@ package dev.lazyz.server
 
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.server.render.MediaTypes
-import dev.lazyz.server.render.Picture
+import dev.lazyz.server.render.RenderedPicture
 import dev.lazyz.server.render.PictureRequest
 import dev.lazyz.server.render.Problem
-import dev.lazyz.server.render.RenderJob
+import dev.lazyz.server.render.QueuedJob
 import dev.lazyz.server.render.Upload
 import io.netty.handler.codec.http.HttpHeaderNames
 import io.netty.handler.codec.http.HttpMethod
@@ -18,7 +18,7 @@ import io.netty.handler.codec.http.HttpUtil
  *
  * @throws Problem if the headers already show that there will be no picture
  */
-internal class RenderRequest(private val service: Service, request: HttpRequest, query: Map<String, List<String>>) {
+internal class RenderExchange(private val service: Service, request: HttpRequest, query: Map<String, List<String>>) {
     private val wish: PictureRequest
     private val format: SceneFormat?
 
@@ -53,20 +53,20 @@ internal class RenderRequest(private val service: Service, request: HttpRequest,
      * @param ended is called on some thread of the queue, or the calling one of a cancellation
      * @throws Problem if there is no place or no memory for it
      */
-    fun enqueue(started: () -> Unit, ended: (RenderJob.Outcome) -> Unit): RenderJob {
+    fun enqueue(started: () -> Unit, ended: (QueuedJob.Outcome) -> Unit): QueuedJob {
         service.received.add(upload.size.toLong())
         val actual = format ?: MediaTypes.sniffed(upload.start(), upload.size)
         val need = service.maker.pictureNeed(wish) + service.maker.modelNeed(actual, upload.size)
         requireMemory(need, "a smaller model or picture")
-        val work = { job: RenderJob ->
+        val work = { job: QueuedJob ->
             timed { service.maker.picture(upload.joined(), actual, wish, job.need) { service.queue.grow(job, it) } }
         }
-        val job = RenderJob(need, work, started, upload::release, ended)
+        val job = QueuedJob(need, work, started, upload::release, ended)
         if (!service.queue.offer(job)) throw tooMany()
         return job
     }
 
-    private fun timed(work: () -> Picture): Picture {
+    private fun timed(work: () -> RenderedPicture): RenderedPicture {
         val start = System.nanoTime()
         try {
             return work()
