@@ -112,7 +112,7 @@ internal class InputPictures(
                     statistics.append(
                         text(
                             Statistics(
-                                source.input.name, strategy, shot.pixels, shot.factor, counters, tally,
+                                source.input.name, strategy, shot.pixels, shot, counters, tally,
                                 loaded.warnings.size, nanoseconds, place(frame),
                             ),
                         ),

@@ -74,6 +74,8 @@ internal class Comparison(
             put("identical", isGood)
             put("reference", reference?.id)
             put("pixelHash", reference?.image?.pixelHash())
+            put("blank", blank != null)
+            put("cropped", shot.isCropped)
             putJsonArray("strategies") { for ((id, outcome) in outcomes) addJsonObject { add(id, outcome) } }
         },
     )

@@ -14,6 +14,7 @@ import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.scenes.pictures.Blank
+import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.pictures.VisibleRows
 import dev.lazyz.strategies.tiled.TiledRenderer
 import kotlinx.serialization.json.JsonObject
@@ -22,13 +23,14 @@ import kotlinx.serialization.json.JsonObject
  * The statistics of a rendering, by name, in the order of the output. Scripts depend on the names.
  *
  * @param picture the pixels that were rendered
+ * @param shot the picture that was set up
  * @param place which of several pictures this is
  */
 internal class Statistics(
     input: String,
     strategy: Renderer,
     picture: Region,
-    aa: Int,
+    shot: PictureFrame,
     counters: Counters,
     tally: Tally,
     warnings: Int,
@@ -40,11 +42,12 @@ internal class Statistics(
     ) + (if (strategy is TiledRenderer) mapOf("kernel" to strategy.kernel) else emptyMap()) + mapOf(
         "width" to picture.width,
         "height" to picture.height,
-        "aa" to aa,
-    ) + counted(counters, picture, aa) + mapOf(
+        "aa" to shot.factor,
+    ) + counted(counters, picture, shot.factor) + mapOf(
         "visible" to tally.visible,
         "coverage" to tally.visible.toDouble() / picture.size,
         "blank" to (tally.blank != null),
+        "cropped" to shot.isCropped,
         "warnings" to warnings,
         "millis" to millis(nanoseconds),
         "pixelHash" to tally.hash(),

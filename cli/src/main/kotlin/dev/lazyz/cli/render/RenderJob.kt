@@ -114,7 +114,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
         if (request.stats != null) {
             val warnings = loaded.warnings.size
             val statistics =
-                Statistics(name, strategy, rendered, shot.factor, counters, tally, warnings, nanoseconds)
+                Statistics(name, strategy, rendered, shot, counters, tally, warnings, nanoseconds)
             printStatistics(request.stats, statistics, comparison?.toJson())
         }
         return request.blanks.code(if (difference?.isMatch == false) ExitCode.DIFFERENT else ExitCode.DONE)

@@ -26,7 +26,7 @@ class StatisticsTest {
         "input", "strategy", "kernel", "width", "height", "aa", "primitives", "fragments", "overdraw",
         "depthEvaluations", "depthPasses", "shadingCalls", "shadingStarts", "shadingSteps", "longestChain",
         "peakSuspensions", "peakBytes",
-        "visible", "coverage", "blank", "warnings", "millis", "pixelHash",
+        "visible", "coverage", "blank", "cropped", "warnings", "millis", "pixelHash",
     )
 
     @Test
@@ -58,6 +58,7 @@ class StatisticsTest {
         assertEquals(run.stat("fragments").toLong() / 1200.0, run.stat("overdraw").toDouble())
         assertEquals("${12 * 1200}", run.stat("peakBytes"))
         assertEquals("false", run.stat("blank"))
+        assertEquals("false", run.stat("cropped"))
         assertEquals("0", run.stat("warnings"))
         assertTrue(run.stat("millis").toDouble() >= 0)
         assertTrue(run.stat("shadingCalls").toLong() in covered..run.stat("fragments").toLong())

@@ -81,6 +81,7 @@ internal class Answer private constructor(
                 headers.set(HttpHeaderNames.ETAG, tag)
                 if (!isKnown) headers.set(HttpHeaderNames.CONTENT_TYPE, "image/png")
                 picture.blank?.let { headers.add("lazyz-blank", it.name.lowercase()) }
+                if (picture.isCropped) headers.add("lazyz-cropped", "true")
                 for (warning in picture.warnings) headers.add("lazyz-warning", ascii(warning))
             }
         }

@@ -34,6 +34,7 @@ import org.apache.spark.sql.types.StructType
  * | `hash` | the pixel hash of contract rule 7.2 |
  * | `counters` | primitives, fragments, depth evaluations, depth passes and shading calls |
  * | `blank` | why there is nothing to see, `background` or `one_color`, or null |
+ * | `cropped` | whether a part of the model is outside the picture |
  * | `warnings` | what the reader ignored, and what options do not do to this model |
  * | `error` | why there is no picture, or null |
  *

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.pictures
 
+import dev.lazyz.Raster
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.pictures.PictureParameters.AZIMUTH
@@ -246,3 +247,42 @@ private class PlacedViewpoint(private val base: Viewpoint, private val settings:
         val UP: Vector3dc = Vector3d(0.0, 1.0, 0.0)
     }
 }
+
+/** Whether a part of [scene], which has a camera, is outside the picture of [raster], see [PictureFrame.isCropped]. */
+internal fun isCropped(scene: Scene, raster: Raster): Boolean {
+    val camera = scene.viewpoint as Camera
+
+    /** Whether a point is farther along a direction of the camera than [limit], from its eye. */
+    fun isBeyond(x: Double, y: Double, z: Double, limit: Double): Boolean {
+        val direction = camera.toWorldDirection(x, y, z)
+        val point = scene.farthest(direction) ?: return false
+        return direction.dot(point.sub(camera.eye)) > limit
+    }
+
+    // What is half a pixel outside may come from rounding
+    val wide = (raster.width + 1.0) / raster.height
+    val high = 1.0 + 1.0 / raster.height
+    val slack = (camera.far - camera.near) * PLANE_SLACK
+    if (isBeyond(0.0, 0.0, 1.0, slack - camera.near) || isBeyond(0.0, 0.0, -1.0, camera.far + slack)) return true
+    return when (val projection = camera.projection) {
+        is Projection.Perspective -> {
+            val slope = StrictMath.tan(StrictMath.toRadians(projection.verticalFieldOfView / 2))
+            listOf(-1.0, 1.0).any { isBeyond(it, 0.0, slope * wide, 0.0) || isBeyond(0.0, it, slope * high, 0.0) }
+        }
+
+        is Projection.Orthographic -> {
+            val reach = projection.height / 2
+            listOf(-1.0, 1.0).any { isBeyond(it, 0.0, 0.0, reach * wide) || isBeyond(0.0, it, 0.0, reach * high) }
+        }
+
+        // In pixels from the upper left corner
+        Projection.Screen -> {
+            val bounds = scene.bounds ?: return false
+            bounds.minX < -0.5 || bounds.minY < -0.5 ||
+                bounds.maxX > raster.width + 0.5 || bounds.maxY > raster.height + 0.5
+        }
+    }
+}
+
+/** How far beyond a plane rounding takes a point, as a part of the distance between the near and the far plane. */
+private const val PLANE_SLACK = 1e-6

@@ -35,8 +35,15 @@ public class PictureFrame internal constructor(
     public val samples: SampledFrame,
     public val gradient: VerticalGradient?,
     public val up: UpAxis,
+    private val crop: Lazy<Boolean>,
     private val names: ParameterNames,
 ) {
+    /**
+     * Whether a part of the model is more than half a pixel outside the whole picture, or not between the near and the
+     * far plane. Cost: linear in the size of the model when it is first asked for, unless the camera was fitted.
+     */
+    public val isCropped: Boolean get() = crop.value
+
     /** The samples of the [pixels]. */
     public val frame: Frame get() = samples.frame
 
@@ -58,14 +65,15 @@ public class PictureFrame internal constructor(
 
     /** Returns this picture, whose shading calls are reported to [observer]. */
     public fun observed(observer: ShadingObserver): PictureFrame =
-        PictureFrame(samples.observed(observer), gradient, up, names)
+        PictureFrame(samples.observed(observer), gradient, up, crop, names)
 
     /**
      * Returns the part of this picture with the pixels of [region].
      *
      * @throws IllegalArgumentException if [region] is not within the picture
      */
-    public fun within(region: Region): PictureFrame = PictureFrame(samples.within(region), gradient, up, names)
+    public fun within(region: Region): PictureFrame =
+        PictureFrame(samples.within(region), gradient, up, crop, names)
 
     /** Returns the plan of [planner] with the first of [renderers] that fits, besides [others]. */
     public fun plan(planner: RenderPlanner, renderers: List<Renderer>, others: List<RenderPlan.Item>): RenderPlan =

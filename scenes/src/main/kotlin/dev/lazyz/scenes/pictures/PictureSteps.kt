@@ -77,7 +77,8 @@ internal class PictureSteps(
         val region = region(raster)
         observer.setUp(ImageSize(raster.width, raster.height))
         val gradient = settings[PictureParameters.BACKGROUND]?.gradient
-        return PictureFrame(sampled(scene, raster).within(region), gradient, up, names)
+        val crop = lazy { isCropped(viewed, raster) }
+        return PictureFrame(sampled(scene, raster).within(region), gradient, up, crop, names)
     }
 
     private fun cut(scene: Scene): Scene {

@@ -21,9 +21,12 @@ import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.View
 import dev.lazyz.world.Viewpoint
+import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
+import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -48,6 +51,37 @@ class PictureCameraTest {
 
     private fun fitted(own: Viewpoint, asked: PictureSettings): List<Any> =
         (seen(own, asked) as FittedViewpoint).let { listOf(it.azimuth, it.elevation, it.zoom, it.kind) }
+
+    @Test
+    fun picturesSayWhetherAPartOfTheModelIsOutside() {
+        val model = Mesh(floatArrayOf(0f, 0f, 0f, 4f, 0f, 0f, 0f, 2f, 0f, 0f, 0f, 1f), INDICES)
+        fun isCropped(words: String, surface: Surface = model): Boolean {
+            val loaded = LoadedScene(Scene(listOf(surface)), emptyList())
+            val pairs = words.split(' ').filter { it.isNotEmpty() }
+                .map { it.substringBefore('=') to it.substringAfter('=') }
+            return PictureDoor.COMMAND_LINE.read(PictureSettings(40, 30), pairs).frame(loaded).isCropped
+        }
+        for (view in listOf("iso", "top", "left")) {
+            for (projection in listOf("perspective", "orthographic")) {
+                val fitted = "view=$view projection=$projection margin=0"
+                assertFalse(isCropped(fitted), fitted)
+                assertTrue(isCropped("$fitted zoom=1.2"), fitted)
+                assertFalse(isCropped("$fitted region=0,0,3x3"), fitted)
+                assertFalse(isCropped(fitted, Sphere(Vector3d(1.0, 2.0, 3.0), 5.0)), fitted)
+            }
+        }
+
+        // One side at a time, by the planes of cameras from outside
+        val seen = "eye=2,1,20 target=2,1,0 projection=orthographic"
+        assertFalse(isCropped("$seen height=3.2"))
+        assertTrue(isCropped("$seen height=1.9"), "above and below")
+        assertTrue(isCropped("$seen height=3.2 near=19.5"), "before")
+        assertTrue(isCropped("$seen height=3.2 far=19.5"), "behind")
+        assertTrue(isCropped("eye=3,1,20 target=3,1,0 projection=orthographic height=4"), "on the left")
+        assertTrue(isCropped("eye=1,1,20 target=1,1,0 projection=orthographic height=4"), "on the right")
+        assertFalse(isCropped("eye=2,1,20 target=2,1,0 fov=12"))
+        assertTrue(isCropped("eye=2,1,20 target=2,1,0 fov=5"))
+    }
 
     @Test
     fun scenesKeepTheirCameraUnlessAsked() {
@@ -148,5 +182,9 @@ class PictureCameraTest {
             assertEquals(places[0], axis.toModel(camera.eye))
             assertEquals(axis.toWorld(places[2]), camera.up)
         }
+    }
+
+    private companion object {
+        val INDICES = intArrayOf(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3)
     }
 }

@@ -104,7 +104,8 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         if (work.fragments == 0L) throw nothing(loaded)
 
         // Width and height are not part of the hash
-        return RenderedPicture(png, "$size-${hash.digest()}", loaded.warnings + observer.warnings, rows.blank)
+        val warnings = loaded.warnings + observer.warnings
+        return RenderedPicture(png, "$size-${hash.digest()}", warnings, rows.blank, frame.isCropped)
     }
 
     /** Returns the problem that the picture is empty, with the reasons. */

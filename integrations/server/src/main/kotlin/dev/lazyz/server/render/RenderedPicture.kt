@@ -12,8 +12,15 @@ import java.io.InputStream
  * @property tag names the picture: two with the same pixels have the same
  * @param warnings what the loader has left out
  * @property blank why there is nothing to see in it, or null
+ * @property isCropped whether a part of the model is outside
  */
-internal class RenderedPicture(private val png: Bytes, val tag: String, warnings: List<String>, val blank: Blank?) {
+internal class RenderedPicture(
+    private val png: Bytes,
+    val tag: String,
+    warnings: List<String>,
+    val blank: Blank?,
+    val isCropped: Boolean,
+) {
     /** The number of warnings. */
     val warningCount = warnings.size
 

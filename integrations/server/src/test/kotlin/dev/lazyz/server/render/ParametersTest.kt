@@ -62,12 +62,15 @@ class ParametersTest {
     }
 
     @Test
-    fun aPictureOfOneColorSaysSo() {
+    fun aPictureOfOneColorOrOfAPartSaysSo() {
         val answer =
             client.post("/render?size=40x30&color=white&light-intensity=0&background=black", WEDGE.toByteArray())
         assertEquals("one_color", answer.headers().firstValue("lazyz-blank").orElse("missing"))
         val usual = client.post("/render?size=40x30", WEDGE.toByteArray())
         assertTrue(usual.headers().firstValue("lazyz-blank").isEmpty)
+        assertTrue(usual.headers().firstValue("lazyz-cropped").isEmpty)
+        val near = client.post("/render?size=40x30&zoom=3", WEDGE.toByteArray())
+        assertEquals("true", near.headers().firstValue("lazyz-cropped").orElse("missing"))
     }
 
     private companion object {

@@ -22,7 +22,7 @@ class RenderQueueTest {
     private val release = CountDownLatch(1)
     private val released = AtomicInteger()
     private val picture =
-        RenderedPicture(RenderedPicture.Bytes().apply { write(ByteArray(7)) }, "tag", emptyList(), null)
+        RenderedPicture(RenderedPicture.Bytes().apply { write(ByteArray(7)) }, "tag", emptyList(), null, false)
 
     @AfterEach
     fun close() = queue.close()

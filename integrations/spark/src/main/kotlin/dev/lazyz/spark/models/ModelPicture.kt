@@ -50,8 +50,8 @@ internal class ModelPicture(limits: LoadLimits) {
                 warnings.add(message)
             }
         }
-        val image = settings.frame(loaded, options, observer).render(renderer)
-        return PictureColumns.row(name, wish, image, warnings)
+        val frame = settings.frame(loaded, options, observer)
+        return PictureColumns.row(name, wish, frame.render(renderer), frame.isCropped, warnings)
     }
 
     companion object {

@@ -22,22 +22,28 @@ internal object PictureColumns {
         .add("width", DataTypes.IntegerType).add("height", DataTypes.IntegerType)
         .add("png", DataTypes.BinaryType).add("pixels", DataTypes.BinaryType).add("depth", DataTypes.BinaryType)
         .add("hash", DataTypes.StringType).add("counters", counters)
-        .add("blank", DataTypes.StringType)
+        .add("blank", DataTypes.StringType).add("cropped", DataTypes.BooleanType)
         .add("warnings", DataTypes.createArrayType(DataTypes.StringType))
         .add("error", DataTypes.StringType)
 
     /** Returns the row of a picture. */
-    fun row(name: String, wish: PictureOptions, image: Image, warnings: List<String>): Row = RowFactory.create(
+    fun row(
+        name: String,
+        wish: PictureOptions,
+        image: Image,
+        isCropped: Boolean,
+        warnings: List<String>,
+    ): Row = RowFactory.create(
         name, wish.words, image.width, image.height,
         if (wish.has("png")) image.toPng() else null,
         if (wish.has("pixels")) bytes(image.argb) else null,
         if (wish.has("depth")) bytes(image.depth) else null,
-        image.pixelHash(), row(image.counters), blank(image), warnings.toTypedArray(), null,
+        image.pixelHash(), row(image.counters), blank(image), isCropped, warnings.toTypedArray(), null,
     )
 
     /** Returns the row of a model that cannot be shown. */
     fun failure(name: String, words: String, error: String): Row =
-        RowFactory.create(name, words, null, null, null, null, null, null, null, null, null, error)
+        RowFactory.create(name, words, null, null, null, null, null, null, null, null, null, null, error)
 
     /** Returns why there is nothing to see, or null. */
     private fun blank(image: Image): String? {

@@ -51,8 +51,10 @@ class PictureOptionsTest {
     }
 
     @Test
-    fun aPictureOfOneColorSaysSo() {
+    fun aPictureOfOneColorOrOfAPartSaysSo() {
         assertEquals("one_color", row("light-intensity=0 background=black").text("blank"))
         assertNull(row("").text("blank"))
+        val cropped = listOf("", "zoom=3").map { row(it).getBoolean(ModelPictures.schema.fieldIndex("cropped")) }
+        assertEquals(listOf(false, true), cropped)
     }
 }
