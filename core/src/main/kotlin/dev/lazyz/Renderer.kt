@@ -121,7 +121,7 @@ public interface StreamingRenderer : Renderer {
  * Renders [primitives] as they arrive, and passes every row to [sink] after the last one.
  *
  * Cancellable between primitives. If the flow throws an exception, rendering ends and the sink receives no rows. Throws
- * like [Rendering.add] and [Rendering.finish].
+ * like [StreamingRenderer.Rendering.add] and [StreamingRenderer.Rendering.finish].
  */
 @JvmSynthetic
 public suspend fun StreamingRenderer.render(raster: Raster, primitives: Flow<Primitive>, sink: RowSink): Counters {
