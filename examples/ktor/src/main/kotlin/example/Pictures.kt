@@ -98,7 +98,7 @@ private fun png(body: ByteArray, format: SceneFormat): ByteArray {
     val setUp = loaded.scene.setUpBytes
     requireMemory(setUp <= DRAWING_BYTES)
     val frame = settings.frame(loaded)
-    val plan = RenderPlanner(DRAWING_BYTES).plan(frame, listOf(renderer), listOf(RenderPlan.Item("set-up", setUp)))
+    val plan = frame.plan(RenderPlanner(DRAWING_BYTES), listOf(renderer), listOf(RenderPlan.Item("set-up", setUp)))
     requireMemory(plan.fits)
     return frame.render(plan.renderer).toPng()
 }
