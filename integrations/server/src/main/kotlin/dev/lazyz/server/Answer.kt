@@ -1,7 +1,7 @@
 package dev.lazyz.server
 
-import dev.lazyz.server.render.RenderedPicture
 import dev.lazyz.server.render.Problem
+import dev.lazyz.server.render.RenderedPicture
 import io.netty.buffer.Unpooled
 import io.netty.channel.ChannelFuture
 import io.netty.channel.ChannelHandlerContext

@@ -2,10 +2,10 @@ package dev.lazyz.server
 
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.server.render.MediaTypes
-import dev.lazyz.server.render.RenderedPicture
 import dev.lazyz.server.render.PictureRequest
 import dev.lazyz.server.render.Problem
 import dev.lazyz.server.render.QueuedJob
+import dev.lazyz.server.render.RenderedPicture
 import dev.lazyz.server.render.Upload
 import io.netty.handler.codec.http.HttpHeaderNames
 import io.netty.handler.codec.http.HttpMethod

@@ -5,9 +5,9 @@ import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.ImageFiles
 import dev.lazyz.scenes.writers.ImageFormat
 import dev.lazyz.spark.triangles.BandSamples
-import dev.lazyz.spark.triangles.SerializableCamera
 import dev.lazyz.spark.triangles.PartDrawing
 import dev.lazyz.spark.triangles.PictureSetUp
+import dev.lazyz.spark.triangles.SerializableCamera
 import dev.lazyz.spark.triangles.TriangleScene
 import dev.lazyz.spark.triangles.jobs.FinishedBand
 import dev.lazyz.spark.triangles.jobs.Planner

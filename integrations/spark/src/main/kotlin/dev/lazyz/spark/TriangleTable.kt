@@ -3,10 +3,10 @@ package dev.lazyz.spark
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.spark.triangles.files.ByteRanges
 import dev.lazyz.spark.triangles.files.FaceRecords
-import dev.lazyz.spark.triangles.files.VertexRecords
 import dev.lazyz.spark.triangles.files.SplitPly
 import dev.lazyz.spark.triangles.files.SplitStl
 import dev.lazyz.spark.triangles.files.StlFacets
+import dev.lazyz.spark.triangles.files.VertexRecords
 import org.apache.spark.sql.Dataset
 import org.apache.spark.sql.Row
 import org.apache.spark.sql.SparkSession

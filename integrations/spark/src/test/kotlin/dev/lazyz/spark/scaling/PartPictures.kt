@@ -1,9 +1,9 @@
 package dev.lazyz.spark.scaling
 
 import dev.lazyz.Counters
-import dev.lazyz.spark.triangles.SerializableCamera
 import dev.lazyz.spark.triangles.FragmentRuns
 import dev.lazyz.spark.triangles.PictureSetUp
+import dev.lazyz.spark.triangles.SerializableCamera
 import dev.lazyz.spark.triangles.jobs.BandPart
 import dev.lazyz.spark.triangles.jobs.DrawPart
 import dev.lazyz.spark.triangles.jobs.MergeParts
