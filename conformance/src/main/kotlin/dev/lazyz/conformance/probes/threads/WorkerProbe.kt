@@ -90,11 +90,12 @@ internal class WorkerProbe(
 /**
  * Waits until [condition] is true, or the wait has used this number of nanoseconds of a processor, however long the
  * machine was busy with something else meanwhile. It does not sleep: the thread may have been interrupted, and other
- * threads watch whether it is waiting.
+ * threads watch whether it is waiting. Nor does it yield: where others are busy, a thread that yields hardly uses a
+ * processor, and would wait for minutes.
  */
 internal fun awaitUntil(nanoseconds: Long, condition: () -> Boolean) {
     val start = processorTime()
-    while (!condition() && processorTime() - start < nanoseconds) Thread.yield()
+    while (!condition() && processorTime() - start < nanoseconds) Thread.onSpinWait()
 }
 
 /**
