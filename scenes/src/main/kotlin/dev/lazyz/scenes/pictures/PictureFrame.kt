@@ -123,7 +123,7 @@ public class PictureFrame internal constructor(
 }
 
 /**
- * Is told what happens while a picture is set up. By default, nothing comes of it.
+ * Is told what happens while a picture is set up. By default, it keeps the warnings, and nothing else comes of it.
  *
  * @property name what the model is called in messages
  * @property limits limits on a texture and on a matcap
@@ -132,8 +132,15 @@ public open class PictureObserver @JvmOverloads constructor(
     public val name: String = "the model",
     public val limits: LoadLimits = LoadLimits(),
 ) {
+    private val kept = ArrayList<String>()
+
+    /** The warnings that were kept. */
+    public val warnings: List<String> get() = kept
+
     /** Is told what a setting does not do to this model: a sentence for the user. */
-    public open fun warning(message: String): Unit = Unit
+    public open fun warning(message: String) {
+        kept += message
+    }
 
     /** Is told the camera of a scene in which y points up; the axis [up] of the model was turned there. */
     public open fun camera(camera: Camera, up: UpAxis): Unit = Unit

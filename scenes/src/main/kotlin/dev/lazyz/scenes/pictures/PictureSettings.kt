@@ -151,7 +151,8 @@ public class PictureSettings private constructor(
     public val hasOcclusion: Boolean
         get() = has(PictureParameters.AMBIENT_OCCLUSION) || this[PictureParameters.STYLE] == PictureStyle.PRODUCT
 
-    internal val hasGroundShadow: Boolean
+    /** Whether the model throws a shadow on the ground. */
+    public val hasGroundShadow: Boolean
         get() = has(PictureParameters.GROUND_SHADOW) || this[PictureParameters.STYLE] == PictureStyle.PRODUCT
 
     /** Whether all edges or some are drawn. */

@@ -12,7 +12,6 @@ import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.pictures.NoPictureException
 import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.pictures.PictureObserver
-import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.VisibleRows
 import dev.lazyz.scenes.writers.PngSink
 import dev.lazyz.strategies.tiled.TiledRenderer
@@ -39,7 +38,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     }
 
     private fun shadowNeed(request: PictureRequest): Long {
-        val hasShadows = request.settings.hasOcclusion || request.settings[PictureParameters.GROUND_SHADOW] == true
+        val hasShadows = request.settings.hasOcclusion || request.settings.hasGroundShadow
         return if (hasShadows) SHADOW_BYTES else 0
     }
 
@@ -80,7 +79,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         )
         val setUp = items.sumOf { it.bytes }
         if (setUp > memory) grow(setUp)
-        val observer = Warnings(own)
+        val observer = PictureObserver(limits = own)
         val frame = try {
             request.settings.frame(loaded, options, observer)
         } catch (e: NoPictureException) {
@@ -128,15 +127,6 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
 
     private fun requireGoingOn() {
         if (Thread.currentThread().isInterrupted) throw InterruptedException("interrupted between two steps")
-    }
-
-    /** Collects what the settings do not do to a model. */
-    private class Warnings(limits: LoadLimits) : PictureObserver(limits = limits) {
-        val warnings = ArrayList<String>()
-
-        override fun warning(message: String) {
-            warnings.add(message)
-        }
     }
 
     companion object {

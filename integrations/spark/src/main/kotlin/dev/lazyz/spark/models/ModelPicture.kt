@@ -44,13 +44,9 @@ internal class ModelPicture(limits: LoadLimits) {
         requireNotNull(format) { "$name: no known format; state it, such as format=stl" }
         val settings = wish.settings()
         val loaded = Scenes.load(bytes, format, name, settings.loadOptions(limits))
-        val warnings = ArrayList(loaded.warnings)
-        val observer = object : PictureObserver(name, limits) {
-            override fun warning(message: String) {
-                warnings.add(message)
-            }
-        }
+        val observer = PictureObserver(name, limits)
         val frame = settings.frame(loaded, options, observer)
+        val warnings = loaded.warnings + observer.warnings
         return PictureColumns.row(name, wish, frame.render(renderer), frame.isCropped, warnings)
     }
 
