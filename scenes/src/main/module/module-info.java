@@ -10,6 +10,7 @@ module dev.lazyz.scenes {
     requires obj;
 
     exports dev.lazyz.scenes.aov;
+    exports dev.lazyz.scenes.diff;
     exports dev.lazyz.scenes.html;
     exports dev.lazyz.scenes.pictures;
     exports dev.lazyz.scenes.ply;
@@ -19,5 +20,6 @@ module dev.lazyz.scenes {
     exports dev.lazyz.scenes.writers.animation;
     exports dev.lazyz.scenes.writers.deepzoom;
     exports dev.lazyz.scenes.writers.imageio;
+    exports dev.lazyz.scenes.zip;
     exports dev.lazyz.scenes;
 }

@@ -71,7 +71,8 @@ class DocumentationTest {
                 zcli("render", "teapot", "--size", "4x3", "--background", color, "-o", it).done()
             }
         }
-        val json = zcli("diff", *pictures.toTypedArray(), "--json").text
+        val models = zcli("diff", "teapot", "layers", "--size", "4x3", "--json").text
+        val json = models + zcli("diff", *pictures.toTypedArray(), "--json").text
         val section = page.substringAfter("## zcli diff").substringBefore("\n## ")
         val keys = Regex("\"(\\w+)\":").findAll(json).map { it.groupValues[1] }.toSet()
         assertEquals(emptyList<String>(), keys.filter { "`$it`" !in section })

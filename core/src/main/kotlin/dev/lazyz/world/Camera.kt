@@ -192,8 +192,8 @@ public class Camera private constructor(
      * Half the visible height, world units: at distance 1 for perspective, at any distance for orthographic.
      * Meaningless for [Projection.Screen].
      */
-    internal fun halfHeight(): Double = when (projection) {
-        is Projection.Perspective -> StrictMath.tan(projection.verticalFieldOfView * (StrictMath.PI / 360.0))
+    public fun halfHeight(): Double = when (projection) {
+        is Projection.Perspective -> projection.halfHeight
         is Projection.Orthographic -> projection.height / 2
         Projection.Screen -> 1.0
     }

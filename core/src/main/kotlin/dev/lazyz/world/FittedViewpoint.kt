@@ -67,8 +67,8 @@ public class FittedViewpoint internal constructor(
 
     private fun perspective(extent: SceneExtent, up: Vector3d, aspect: Double): Camera {
         // Where the planes through the margins touch the scene on both sides, the eye is where they meet
-        val halfHeight = StrictMath.tan(fieldOfView * (StrictMath.PI / 360.0))
-        val slope = halfHeight * filled
+        val projection = Projection.Perspective(fieldOfView)
+        val slope = projection.halfHeight * filled
         val eyeZ = maxOf(
             extent.apex(extent.right, slope * aspect),
             extent.apex(extent.upward, slope),
@@ -78,7 +78,7 @@ public class FittedViewpoint internal constructor(
         val y = extent.middle(extent.upward, eyeZ)
         val near = eyeZ - extent.front - extent.pad
         val far = eyeZ - extent.back + extent.pad
-        val zoomed = if (zoom == 1.0) fieldOfView else StrictMath.atan(halfHeight / zoom) * (360.0 / StrictMath.PI)
+        val zoomed = projection.magnified(zoom).verticalFieldOfView
         val target = extent.point(x, y, extent.back + extent.depth / 2)
         return Camera.perspective(extent.point(x, y, eyeZ), target, up, zoomed, near, far)
     }

@@ -15,6 +15,13 @@ public sealed class Projection {
             }
         }
 
+        /** Half the visible height at distance 1. */
+        public val halfHeight: Double get() = StrictMath.tan(verticalFieldOfView * (StrictMath.PI / 360.0))
+
+        /** Returns the projection that shows everything [zoom] times as large: at 1, exactly this one. */
+        public fun magnified(zoom: Double): Perspective =
+            if (zoom == 1.0) this else Perspective(StrictMath.atan(halfHeight / zoom) * (360.0 / StrictMath.PI))
+
         override fun toString(): String = "Perspective($verticalFieldOfView)"
     }
 

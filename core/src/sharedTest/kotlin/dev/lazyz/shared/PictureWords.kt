@@ -1,5 +1,11 @@
 package dev.lazyz.shared
 
+import java.awt.image.BufferedImage
+import java.io.ByteArrayOutputStream
+import java.util.zip.ZipEntry
+import java.util.zip.ZipOutputStream
+import javax.imageio.ImageIO
+
 /**
  * Parameters of pictures as words, to compare all ways to ask for a picture: each test compares its own with the
  * library.
@@ -77,6 +83,25 @@ object PictureWords {
                 else -> true
             }
         }
+    }
+
+    /** The file that words call `picture.png`: a few colours. */
+    fun picture(): ByteArray {
+        val image = BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB)
+        for (i in 0 until 64) image.setRGB(i % 8, i / 8, 0x1F2F3F * i)
+        return ByteArrayOutputStream().also { ImageIO.write(image, "png", it) }.toByteArray()
+    }
+
+    /** An archive with [model], an OBJ file, and the picture. */
+    fun archive(model: ByteArray): ByteArray {
+        val bytes = ByteArrayOutputStream()
+        ZipOutputStream(bytes).use { zip ->
+            for ((name, content) in mapOf("model.obj" to model, "picture.png" to picture())) {
+                zip.putNextEntry(ZipEntry(name))
+                zip.write(content)
+            }
+        }
+        return bytes.toByteArray()
     }
 
     private const val PAIRS = 3

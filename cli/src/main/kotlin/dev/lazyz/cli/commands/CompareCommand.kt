@@ -25,13 +25,13 @@ import dev.lazyz.cli.options.classPath
 import dev.lazyz.cli.options.comparedStrategies
 import dev.lazyz.cli.options.count
 import dev.lazyz.cli.options.listOf
-import dev.lazyz.cli.options.words
 import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.StrategyPath
+import dev.lazyz.scenes.pictures.NamedValues
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.world.View
 
@@ -102,7 +102,7 @@ internal class ComparingOptions : OptionGroup("Comparing") {
         "--views",
         help = "Look from each of these sides, separated by commas, such as iso,front,back, each at most " +
             "once; default: the options of the camera",
-    ).listOf("SIDES", words(View.entries))
+    ).listOf("SIDES", NamedValues.words(View.entries))
 
     val repeat by option(
         "--repeat",

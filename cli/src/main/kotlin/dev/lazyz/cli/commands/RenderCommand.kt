@@ -33,7 +33,6 @@ import dev.lazyz.cli.options.number
 import dev.lazyz.cli.options.oneOf
 import dev.lazyz.cli.options.path
 import dev.lazyz.cli.options.selector
-import dev.lazyz.cli.options.words
 import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Mistake
@@ -49,6 +48,7 @@ import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.filter.SuperSampling.ShadingRate
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.pictures.NamedValues
 import dev.lazyz.scenes.pictures.ParameterGroup
 import dev.lazyz.scenes.pictures.PictureParameters.AA
 import dev.lazyz.scenes.pictures.PictureParameters.FORMAT
@@ -159,7 +159,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     private fun requireAttachedForm() {
         val word = args.getOrNull(args.indexOf("--stats") + 1) ?: return
         val form = word.lowercase()
-        if (form in words(StatsForm.entries) && !Files.exists(Path.of(word))) {
+        if (form in NamedValues.words(StatsForm.entries) && !Files.exists(Path.of(word))) {
             throw Mistake("'$word' is taken as INPUT, and there is no such file; did you mean '--stats=$form'?")
         }
     }
@@ -256,7 +256,7 @@ private class OutputOptions : OptionGroup("Output") {
         "--stats",
         help = "Print statistics, as a table or, with --stats=json, as one JSON object; to standard output, or to " +
             "standard error if the picture goes to standard output",
-    ).oneOf("json", words(StatsForm.entries))
+    ).oneOf("json", NamedValues.words(StatsForm.entries))
         .optionalValue(StatsForm.TABLE, acceptsUnattachedValue = false)
 }
 

@@ -2,10 +2,10 @@ package dev.lazyz.cli.compare
 
 import dev.lazyz.Counters
 import dev.lazyz.Image
+import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.Failure
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Statistics
-import dev.lazyz.cli.output.Tally
 import dev.lazyz.cli.output.printable
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.scenes.pictures.PictureFrame
@@ -81,9 +81,7 @@ internal class Comparison(
     )
 
     /** Why there is nothing to see in the picture, or null if there is something, or no picture. */
-    val blank: String? by lazy {
-        reference?.image?.let { image -> Tally(image.width, isHashed = false).also { it.add(image) }.blank }
-    }
+    val blank: String? by lazy { reference?.image?.let { BlankPictures.reason(it) } }
 
     /** Returns a sentence that describes the [difference] of the strategy [id]. */
     fun sentence(id: String, difference: Difference): String =

@@ -8,6 +8,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.aov.Aov
 import dev.lazyz.cli.render.AovOutput
 import dev.lazyz.cli.render.AovOutputs
+import dev.lazyz.scenes.pictures.NamedValues
 import dev.lazyz.scenes.text.EditDistance
 import java.nio.file.Path
 
@@ -15,9 +16,9 @@ import java.nio.file.Path
 internal class AovOptions : OptionGroup("Data of pixels (AOVs)") {
     private val data by option(
         "--aov",
-        help = "Write what is known of each pixel as data: ${names(ids)}; the extension of FILE chooses the format, " +
-            ".pfm, .npy, .png (16 bits), .npz, which takes several, AOV,AOV=FILE.npz, or all=FILE.npz, or, for " +
-            "object, .json, a list of visible parts with their names; repeat for more files",
+        help = "Write what is known of each pixel as data: ${NamedValues.list(ids)}; the extension of FILE " +
+            "chooses the format, .pfm, .npy, .png (16 bits), .npz, which takes several, AOV,AOV=FILE.npz, or " +
+            "all=FILE.npz, or, for object, .json, a list of visible parts with their names; repeat for more files",
     ).output().multiple()
 
     private val pictures by option(

@@ -28,18 +28,21 @@ internal abstract class Command(name: String) : CoreCliktCommand(name) {
  *
  * @param group the options of the command itself, which come first in the help
  * @param usualSize the size of the picture if the user does not choose; null means that of the scene
+ * @param usualFactor samples a pixel in each direction if the user does not choose
  */
 internal abstract class PictureCommand<G : OptionGroup>(
     name: String,
     group: G,
-    private val usualSize: ImageSize? = null
+    private val usualSize: ImageSize? = null,
+    private val usualFactor: Int = 1,
 ) : Command(name) {
     /** The options of the command itself. */
     protected val own: G by group
     private val reading by ParameterOptions(ParameterGroup.READING)
     private val picture by ParameterOptions(
         ParameterGroup.PICTURE,
-        mapOf(PictureParameters.AA to "1") + usualSize?.let { mapOf(PictureParameters.SIZE to "$it") }.orEmpty(),
+        mapOf(PictureParameters.AA to "$usualFactor") +
+            usualSize?.let { mapOf(PictureParameters.SIZE to "$it") }.orEmpty(),
     )
     private val light by ParameterOptions(ParameterGroup.LIGHT)
     private val camera by CameraOptions()
@@ -50,7 +53,7 @@ internal abstract class PictureCommand<G : OptionGroup>(
 
     /** What the options choose. */
     protected val settings: PictureSettings by lazy {
-        val usual = ParameterOptions.NONE.withDefault(PictureParameters.AA, 1)
+        val usual = ParameterOptions.NONE.withDefault(PictureParameters.AA, usualFactor)
         val sized = if (usualSize == null) usual else usual.withDefault(PictureParameters.SIZE, usualSize)
         listOf(reading, picture, light, camera, lines).fold(sized) { all, group -> group.addTo(all) }
     }

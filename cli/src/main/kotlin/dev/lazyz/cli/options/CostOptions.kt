@@ -7,6 +7,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Selector
 import dev.lazyz.cli.strategies.Choices
+import dev.lazyz.scenes.pictures.NamedValues
 
 /** Options that change time and memory of the rendering. */
 internal class CostOptions : OptionGroup("Cost (the picture stays the same; see 'zcli strategies --long')") {
@@ -20,7 +21,7 @@ internal class CostOptions : OptionGroup("Cost (the picture stays the same; see 
         "--coherence",
         help = "How late shading proceeds from pixel to pixel: direct (each separately), incremental (by steps) or " +
             "adaptive (the cheaper one); default: direct",
-    ).oneOf("MODE", words(Coherence.entries))
+    ).oneOf("MODE", NamedValues.words(Coherence.entries))
 
     private val threads by option("--threads", help = "Number of threads, 1 or more; default: one per processor")
         .count { RenderOptions(threads = it) }

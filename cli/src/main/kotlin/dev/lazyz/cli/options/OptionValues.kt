@@ -14,13 +14,6 @@ import dev.lazyz.scenes.pictures.RangeValues
 import dev.lazyz.scenes.text.EditDistance
 import java.nio.file.Path
 
-/** Returns the constants of an enum class, as they are written on the command line. */
-internal fun <E : Enum<E>> words(entries: List<E>): Map<String, E> =
-    entries.associateBy { it.name.lowercase().replace('_', '-') }
-
-/** Returns a list of words for a help text. */
-internal fun names(all: Collection<String>): String = all.toList().dropLast(1).joinToString() + " or " + all.last()
-
 private val selectors = mapOf(
     "nearest" to Selector.nearest(),
     "farthest" to Selector.farthest(),

@@ -4,6 +4,7 @@ import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.cli.batch.Series
+import dev.lazyz.scenes.pictures.NamedValues
 import dev.lazyz.scenes.writers.animation.Animation
 import dev.lazyz.world.View
 
@@ -13,7 +14,7 @@ internal class SeriesOptions : OptionGroup("Several pictures") {
         "--views",
         help = "Look from each of these sides, separated by commas, such as iso,front,top, each at most once; a " +
             "picture for each",
-    ).listOf("SIDES", words(View.entries))
+    ).listOf("SIDES", NamedValues.words(View.entries))
 
     private val turntable by option(
         "--turntable",

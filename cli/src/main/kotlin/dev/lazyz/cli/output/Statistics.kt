@@ -8,12 +8,10 @@ import com.github.ajalt.mordant.table.TableBuilder
 import com.github.ajalt.mordant.table.table
 import com.github.ajalt.mordant.terminal.Terminal
 import dev.lazyz.Counters
-import dev.lazyz.Image
 import dev.lazyz.Image.PixelHash
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.scenes.pictures.Blank
 import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.pictures.VisibleRows
 import dev.lazyz.strategies.tiled.TiledRenderer
@@ -90,28 +88,11 @@ internal class Tally(private val width: Int, isHashed: Boolean) : RowSink {
     val visible: Long get() = rows.visible
 
     /** Why there is nothing to see so far, or null if there is something. */
-    val blank: String?
-        get() = when (rows.blank) {
-            Blank.BACKGROUND -> "nothing is visible: the picture is all background"
-
-            Blank.ONE_COLOR ->
-                "all pixels have the same colour, also those of the background; " +
-                    "choose another --background, --light or --color"
-
-            null -> null
-        }
+    val blank: String? get() = BlankPictures.reason(rows.blank)
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         rows.row(y, argb, depth, primitive)
         hash?.add(argb, width)
-    }
-
-    /** Counts the rows of [image]. */
-    fun add(image: Image) {
-        for (y in 0 until image.height) {
-            val row = y * width until (y + 1) * width
-            row(y, image.argb.sliceArray(row), image.depth, image.primitive.sliceArray(row))
-        }
     }
 
     /** Returns [dev.lazyz.Image.pixelHash] of the rows. Call it once, after the last row. */

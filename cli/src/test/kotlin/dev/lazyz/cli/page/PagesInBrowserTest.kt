@@ -91,6 +91,13 @@ class PagesInBrowserTest {
     @CsvSource("390", "1280")
     fun aFilmIsSound(width: Int) = requireSound(film(), width)
 
+    @ParameterizedTest
+    @CsvSource("390", "1280")
+    fun changesAreSound(width: Int) {
+        zcli("diff", "teapot", "city", "-o", folder.resolve("a.html"), *size)
+        requireSound(folder.resolve("a.html").readText(), width)
+    }
+
     /** Each step has as many grey and pink pixels as the picture of the GIF, and the keys and buttons work. */
     @Test
     fun aFilmShowsTheStepsOfTheGif() {

@@ -57,10 +57,12 @@ internal object Pages {
     private fun help(): String = buildString {
         appendLine("Lazy Z renders 3D models to pictures.")
         appendLine()
-        appendLine("  POST /render      a model in the body; the answer is a PNG file")
+        appendLine("  POST /render      a model in the body, or a ZIP archive with it and its files;")
+        appendLine("                    the answer is a PNG file")
         appendLine()
         appendLine("Parameters, as in /render?size=512&view=iso:")
         appendLine()
+        appendLine("  model=NAME\n      The model in an archive; default: the only one")
         for (parameter in PictureDoor.SERVICE.parameters) {
             appendLine("  ${parameter.name}=${parameter.values.form ?: "true"}\n      ${parameter.text(prefix = "")}")
         }

@@ -55,11 +55,10 @@ internal class RenderExchange(private val service: Service, request: HttpRequest
      */
     fun enqueue(started: () -> Unit, ended: (QueuedJob.Outcome) -> Unit): QueuedJob {
         service.received.add(upload.size.toLong())
-        val actual = format ?: MediaTypes.sniffed(upload.start(), upload.size)
-        val need = service.maker.pictureNeed(wish) + service.maker.modelNeed(actual, upload.size)
+        val need = service.maker.pictureNeed(wish) + service.maker.modelNeed(format, upload.start(), upload.size)
         requireMemory(need, "a smaller model or picture")
         val work = { job: QueuedJob ->
-            timed { service.maker.picture(upload.joined(), actual, wish, job.need) { service.queue.grow(job, it) } }
+            timed { service.maker.picture(upload.joined(), format, wish, job.need) { service.queue.grow(job, it) } }
         }
         val job = QueuedJob(need, work, started, upload::release, ended)
         if (!service.queue.offer(job)) throw tooMany()

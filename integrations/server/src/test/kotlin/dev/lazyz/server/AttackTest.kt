@@ -111,7 +111,8 @@ class AttackTest {
                 "ply" to "ply\nformat binary_little_endian 1.0\nelement vertex 2000000000\n" +
                     "property float x\nproperty float y\nproperty float z\nend_header\n"
                 ).toBytes(),
-            "ZIP bomb" to ("3mf" to zipBomb()),
+            "ZIP bomb" to ("3mf" to zipBomb("3D/3dmodel.model")),
+            "archive" to ("obj" to zipBomb("a.obj")),
         )
         for ((name, bomb) in bombs) {
             val answer = client.post("/render?size=8&format=${bomb.first}", bomb.second)
@@ -125,10 +126,10 @@ class AttackTest {
     private fun Pair<String, String>.toBytes() = first to second.toByteArray()
 
     /** 200 MB of spaces before the model, in 200 KB. */
-    private fun zipBomb(): ByteArray {
+    private fun zipBomb(name: String): ByteArray {
         val bytes = ByteArrayOutputStream()
         ZipOutputStream(bytes).use { zip ->
-            zip.putNextEntry(ZipEntry("3D/3dmodel.model"))
+            zip.putNextEntry(ZipEntry(name))
             zip.write("<model unit='millimeter'>".toByteArray())
             val spaces = ByteArray(1 shl 20) { ' '.code.toByte() }
             repeat(200) { zip.write(spaces) }

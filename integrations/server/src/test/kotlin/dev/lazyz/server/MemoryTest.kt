@@ -36,11 +36,14 @@ class MemoryTest {
         reader.join()
     }
 
-    private fun request(body: ByteArray, size: Int = 512) = HttpRequest.newBuilder(URI("${address}render?size=$size"))
-        .timeout(Duration.ofMinutes(10)).POST(HttpRequest.BodyPublishers.ofByteArray(body)).build()
+    private fun request(body: ByteArray, query: Any = 512): HttpRequest {
+        val address = URI("${address}render?size=$query")
+        return HttpRequest.newBuilder(address).timeout(Duration.ofMinutes(10))
+            .POST(HttpRequest.BodyPublishers.ofByteArray(body)).build()
+    }
 
-    private fun post(body: ByteArray, size: Int = 512): HttpResponse<String> =
-        http.send(request(body, size), HttpResponse.BodyHandlers.ofString(Charsets.ISO_8859_1))
+    private fun post(body: ByteArray, query: Any = 512): HttpResponse<String> =
+        http.send(request(body, query), HttpResponse.BodyHandlers.ofString(Charsets.ISO_8859_1))
 
     @Test
     fun translucentLayersThatNeedTooMuchAreRefused() {
@@ -79,6 +82,19 @@ class MemoryTest {
         val answer = post(layers(300_000, "OPAQUE"))
         assertEquals(413, answer.statusCode(), answer.body())
         assertEquals(200, post(layers(100, "OPAQUE"), 64).statusCode())
+    }
+
+    /** Every triangle has edges, and is cut. The process would end if that took more than was planned. */
+    @Test
+    fun edgesAndCutsOfManyTrianglesArePlanned() {
+        for (lines in listOf("wireframe=true", "cut=x=50%25", "edges=true&hidden-lines=solid")) {
+            for (triangles in listOf(5_000, 40_000, 300_000)) {
+                val answer = post(layers(triangles, "OPAQUE"), "64&aa=1&$lines")
+                val expected = if (triangles == 5_000) listOf(200) else listOf(200, 413)
+                assertTrue(answer.statusCode() in expected) { "$lines $triangles: $answer ${answer.body()}" }
+            }
+        }
+        assertEquals(200, post(Client.MODEL).statusCode())
     }
 
     /** Returns a GLB file of slivers, or, if they are translucent, of triangles that coincide. */

@@ -3,6 +3,7 @@ package dev.lazyz.spark
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.pictures.PictureParameters
+import dev.lazyz.scenes.zip.ModelArchive
 import dev.lazyz.spark.models.ContactSheets
 import dev.lazyz.spark.models.ModelPicture
 import dev.lazyz.spark.models.PictureColumns
@@ -40,8 +41,10 @@ import org.apache.spark.sql.types.StructType
  *
  * A picture has the bits of `zcli render` with the same options. Each task renders one model at a time on one thread.
  * Memory of an executor: for each of its tasks a model in memory. A model whose decoded data need more than a task's
- * share of the heap is refused as an error; set [LoadLimits.decodedBytes] to choose another limit. Files that a model
- * refers to are reported as missing, so use formats that need no other files, such as GLB. Thread safe.
+ * share of the heap is refused as an error; set [LoadLimits.decodedBytes] to choose another limit. A model that refers
+ * to other files, such as OBJ with textures, comes as a ZIP archive with them, see [ModelArchive]; an executor unpacks
+ * it into its folder of temporary files. Of a model without an archive, such files are reported as missing. Thread
+ * safe.
  */
 public object ModelPictures {
     /** The columns of pictures. */

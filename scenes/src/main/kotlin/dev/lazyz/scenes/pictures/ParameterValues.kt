@@ -75,6 +75,18 @@ public class NamedValues<T : Any>(form: String, private val values: Map<String, 
         ?: unfit("'$word' is not one of ${words.joinToString()}${EditDistance.hint(word, words)}")
 
     override fun check(value: T) = require(value in values.values) { "$value is not one of ${words.joinToString()}" }
+
+    public companion object {
+        /** Returns the constants of an enum class by their words: lower case, with hyphens. */
+        @JvmStatic
+        public fun <E : Enum<E>> words(entries: List<E>): Map<String, E> =
+            entries.associateBy { it.name.lowercase().replace('_', '-') }
+
+        /** Returns [words] as a sentence lists them: `a, b or c`. */
+        @JvmStatic
+        public fun list(words: Collection<String>): String =
+            words.toList().dropLast(1).joinToString() + " or " + words.last()
+    }
 }
 
 /** A decimal number in [range]; in messages, [unit] follows the range. */

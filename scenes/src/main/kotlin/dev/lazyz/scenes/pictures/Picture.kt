@@ -114,7 +114,7 @@ public class Picture private constructor(public val width: Int, public val heigh
                 }
             } ?: throw SceneFormatException(name, null, "it is no image that can be decoded", "save it as PNG")
 
-        private fun widened(argb: Int): Long {
+        internal fun widened(argb: Int): Long {
             val alpha = (argb ushr 24 and 0xFF).toLong()
             val red = (argb ushr 16 and 0xFF).toLong()
             val green = (argb ushr 8 and 0xFF).toLong()

@@ -134,7 +134,7 @@ internal class PictureCamera(private val settings: PictureSettings) {
         when (val own = projection) {
             is Projection.Perspective -> {
                 val angle = fieldOfView ?: own.verticalFieldOfView
-                Camera.perspective(eye, target, up, narrowed(angle, zoom ?: 1.0), near, far)
+                Camera.perspective(eye, target, up, narrowed(angle, zoom), near, far)
             }
             is Projection.Orthographic ->
                 Camera.orthographic(eye, target, up, if (zoom == null) own.height else own.height / zoom, near, far)
@@ -166,14 +166,9 @@ internal class PictureCamera(private val settings: PictureSettings) {
     }
 }
 
-/**
- * Returns the vertical field of view, in degrees, of a camera with this one that magnifies by [zoom]: at 1, exactly
- * this one.
- */
-private fun narrowed(degrees: Double, zoom: Double): Double {
-    if (zoom == 1.0) return degrees
-    return StrictMath.atan(StrictMath.tan(degrees * (StrictMath.PI / 360.0)) / zoom) * (360.0 / StrictMath.PI)
-}
+/** Returns the vertical field of view, in degrees, of a camera with this one that magnifies by [zoom]. */
+private fun narrowed(degrees: Double, zoom: Double?): Double =
+    Projection.Perspective(degrees).magnified(zoom ?: 1.0).verticalFieldOfView
 
 /** The camera of [base], placed by [settings] for a model that was turned so that the axis [axis] points up. */
 private class PlacedViewpoint(private val base: Viewpoint, private val settings: PictureSettings, axis: UpAxis) :
@@ -183,7 +178,7 @@ private class PlacedViewpoint(private val base: Viewpoint, private val settings:
     private val chosenUp = settings[CAMERA_UP]?.let(axis::toWorld)
 
     /** Field of view of a camera that stands where the user says, so that it is not fitted, or null. */
-    private val fieldOfView = settings[FOV]?.takeIf { chosenEye != null }?.let { narrowed(it, settings[ZOOM] ?: 1.0) }
+    private val fieldOfView = settings[FOV]?.takeIf { chosenEye != null }?.let { narrowed(it, settings[ZOOM]) }
 
     override fun camera(scene: Scene, aspect: Double): Camera {
         val own = base.camera(scene, aspect)
@@ -264,16 +259,13 @@ internal fun isCropped(scene: Scene, raster: Raster): Boolean {
     val high = 1.0 + 1.0 / raster.height
     val slack = (camera.far - camera.near) * PLANE_SLACK
     if (isBeyond(0.0, 0.0, 1.0, slack - camera.near) || isBeyond(0.0, 0.0, -1.0, camera.far + slack)) return true
-    return when (val projection = camera.projection) {
-        is Projection.Perspective -> {
-            val slope = StrictMath.tan(StrictMath.toRadians(projection.verticalFieldOfView / 2))
-            listOf(-1.0, 1.0).any { isBeyond(it, 0.0, slope * wide, 0.0) || isBeyond(0.0, it, slope * high, 0.0) }
-        }
+    val half = camera.halfHeight()
+    return when (camera.projection) {
+        is Projection.Perspective ->
+            listOf(-1.0, 1.0).any { isBeyond(it, 0.0, half * wide, 0.0) || isBeyond(0.0, it, half * high, 0.0) }
 
-        is Projection.Orthographic -> {
-            val reach = projection.height / 2
-            listOf(-1.0, 1.0).any { isBeyond(it, 0.0, 0.0, reach * wide) || isBeyond(0.0, it, 0.0, reach * high) }
-        }
+        is Projection.Orthographic ->
+            listOf(-1.0, 1.0).any { isBeyond(it, 0.0, 0.0, half * wide) || isBeyond(0.0, it, 0.0, half * high) }
 
         // In pixels from the upper left corner
         Projection.Screen -> {

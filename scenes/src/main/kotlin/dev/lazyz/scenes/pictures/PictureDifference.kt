@@ -188,7 +188,7 @@ public class PictureDifference private constructor(
             abs((first ushr shift and 0xFFFF).toInt() - (second ushr shift and 0xFFFF).toInt())
 
         /** A light grey for a pixel that does not differ. */
-        private fun pale(argb: Long): Int {
+        internal fun pale(argb: Long): Int {
             val sum = CHANNELS.drop(1).sumOf { (argb ushr it + 8 and 0xFF).toInt() }
             val grey = PALE + sum * (255 - PALE) / (3 * 255)
             return 0xFF shl 24 or (grey shl 16) or (grey shl 8) or grey

@@ -186,13 +186,19 @@ public class VisibleRows(private val width: Int) : RowSink {
             else -> null
         }
 
-    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
+    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray): Unit =
+        add(argb, primitive, width)
+
+    /** Looks at all rows of [image]. */
+    public fun add(image: Image): Unit = add(image.argb, image.primitive, image.argb.size)
+
+    private fun add(argb: IntArray, primitive: IntArray, size: Int) {
         if (pixels == 0L) color = argb[0]
         var x = 0
-        while (isUniform && x < width) isUniform = argb[x++] == color
-        pixels += width
+        while (isUniform && x < size) isUniform = argb[x++] == color
+        pixels += size
         var count = 0
-        for (x in 0 until width) if (primitive[x] != DepthTest.BACKGROUND) count++
+        for (x in 0 until size) if (primitive[x] != DepthTest.BACKGROUND) count++
         visible += count
     }
 }

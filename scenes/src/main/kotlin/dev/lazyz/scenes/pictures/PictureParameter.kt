@@ -49,10 +49,10 @@ public enum class PictureDoor {
     /** The options of `zcli render`. */
     COMMAND_LINE,
 
-    /** The query of the render service. */
+    /** The query of the render service. Its files are names in an archive, see `ModelArchive.read`. */
     SERVICE,
 
-    /** The words `name=value` of `ModelPictures` for Apache Spark. */
+    /** The words `name=value` of `ModelPictures` for Apache Spark. Its files are names in an archive, too. */
     SPARK,
 
     /** The object `picture` of a scene file. */

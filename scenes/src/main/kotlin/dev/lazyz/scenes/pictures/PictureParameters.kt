@@ -11,6 +11,8 @@ import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.pictures.NamedValues.Companion.list
+import dev.lazyz.scenes.pictures.NamedValues.Companion.words
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Projection
@@ -35,9 +37,6 @@ public object PictureParameters {
     private val finite = object : CheckedValues("DISTANCE") {
         override fun checked(value: Double) = require(value.isFinite()) { "it must be finite: $value" }
     }
-    private val files =
-        mapOf(PictureDoor.SERVICE to "a request has one file", PictureDoor.SPARK to "a row has one file")
-    private val unplanned = mapOf(PictureDoor.SERVICE to "its memory is not planned")
 
     private var group = ParameterGroup.READING
 
@@ -132,7 +131,6 @@ public object PictureParameters {
         "texture", FileValues(),
         "Replace the colours and textures of all surfaces by this image, which --color multiplies; the model " +
             "needs texture coordinates",
-        missing = files,
         file = "has `materials`",
     )
 
@@ -184,7 +182,6 @@ public object PictureParameters {
         "style", named("STYLE", PictureStyle.entries),
         "Defaults for whole pictures. product: for a shop, with --ambient-occlusion, --ground-shadow and a wide " +
             "margin; technical: --edges, white surfaces without light, white background, orthographic",
-        missing = unplanned,
     )
 
     init {
@@ -224,7 +221,6 @@ public object PictureParameters {
     public val MATCAP: PictureParameter<Path> = row(
         "matcap", FileValues(),
         "Colour all surfaces like this picture of a lit sphere, which --color multiplies",
-        missing = files,
         file = "has `materials`",
     )
 
@@ -355,13 +351,12 @@ public object PictureParameters {
     public val EDGES: PictureParameter<Boolean> = row(
         "edges", SwitchValues(),
         "Draw silhouettes, creases and boundaries of meshes over the picture, without hidden lines",
-        missing = unplanned,
     )
 
     /** Whether all edges are drawn. */
     @JvmField
     public val WIREFRAME: PictureParameter<Boolean> =
-        row("wireframe", SwitchValues(), "Draw all edges of triangles, without hidden lines", missing = unplanned)
+        row("wireframe", SwitchValues(), "Draw all edges of triangles, without hidden lines")
 
     /** Least angle of a crease, degrees. */
     @JvmField
@@ -369,32 +364,29 @@ public object PictureParameters {
         "crease-angle", range("DEGREES", 0.0, 180.0, " degrees"),
         "Least angle between the normals of the faces at a crease, 0..180",
         "${FeatureEdges.DEFAULT_CREASE_ANGLE.toInt()}",
-        missing = unplanned,
     )
 
     /** How hidden lines are drawn. */
     @JvmField
     public val HIDDEN_LINES: PictureParameter<HiddenLines> = row(
         "hidden-lines", named("HOW", HiddenLines.entries), "Hidden lines: none, dashed or solid", "none",
-        missing = unplanned,
     )
 
     /** Width of edges, pixels. */
     @JvmField
     public val EDGE_WIDTH: PictureParameter<Double> = row(
         "edge-width", sizes, "Width of edges in pixels, up to 4096", "by the size of the picture, 1 for 640x480",
-        missing = unplanned,
     )
 
     /** Colour of visible edges. */
     @JvmField
     public val EDGE_COLOR: PictureParameter<Rgba> =
-        row("edge-color", colors, "Colour of visible edges, opaque", "black", missing = unplanned)
+        row("edge-color", colors, "Colour of visible edges, opaque", "black")
 
     /** Colour of hidden lines. */
     @JvmField
     public val HIDDEN_COLOR: PictureParameter<Rgba> =
-        row("hidden-color", colors, "Colour of hidden lines, opaque", "grey", missing = unplanned)
+        row("hidden-color", colors, "Colour of hidden lines, opaque", "grey")
 
     /** Planes that cut. */
     @JvmField
@@ -402,7 +394,6 @@ public object PictureParameters {
         "cut", CutValues(),
         "Remove what is beyond a plane, in the axes of the input: x=0.5, y=50% (of the bounds), -z=10% (what is " +
             "before it), or a,b,c,d (where ax + by + cz > d); closed meshes are closed again; repeat for more planes",
-        missing = unplanned,
     )
 
     /** Colour of cut faces. */
@@ -410,7 +401,6 @@ public object PictureParameters {
     public val CAP_COLOR: PictureParameter<Rgba> = row(
         "cap-color", colors, "Colour of cut faces",
         "that of the material, darker; with --style technical: hatched",
-        missing = unplanned,
     )
 
     /** All parameters, in the order in which the help shows them. */
@@ -422,19 +412,13 @@ public object PictureParameters {
         values: ParameterValues<T>,
         help: String,
         default: String? = null,
-        missing: Map<PictureDoor, String> = emptyMap(),
         file: String? = if (group == ParameterGroup.CAMERA) "has `camera`" else null,
     ): PictureParameter<T> {
-        val all = if (file == null) missing else missing + (PictureDoor.SCENE_FILE to file)
-        return PictureParameter(name, group, values, help, default, all).also { rows.add(it) }
+        val missing = if (file == null) emptyMap() else mapOf(PictureDoor.SCENE_FILE to file)
+        return PictureParameter(name, group, values, help, default, missing).also { rows.add(it) }
     }
 
     private fun range(form: String, least: Double, most: Double, unit: String) = RangeValues(form, least..most, unit)
 
     private fun <E : Enum<E>> named(form: String, entries: List<E>) = NamedValues(form, words(entries))
-
-    private fun <E : Enum<E>> words(entries: List<E>): Map<String, E> =
-        entries.associateBy { it.name.lowercase().replace('_', '-') }
-
-    private fun list(all: Collection<String>): String = all.toList().dropLast(1).joinToString() + " or " + all.last()
 }

@@ -38,53 +38,100 @@ import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
 import java.nio.file.Path
 
-/** The steps from [loaded] to a picture with the [chosen] settings, see [PictureSettings], by threads of [options]. */
+/**
+ * The steps from [loaded] to a picture with the [chosen] settings, see [PictureSettings], by threads of [options].
+ *
+ * @param stage what this picture has in common with others, or null
+ */
 internal class PictureSteps(
     chosen: PictureSettings,
     private val loaded: LoadedScene,
     private val options: RenderOptions,
     private val observer: PictureObserver,
+    private val stage: Stage? = null,
 ) {
+    /**
+     * What pictures that are compared have in common.
+     *
+     * @property intensity the factor of light for models whose light nobody chose
+     * @property planes the planes that cut
+     */
+    class Stage(val camera: Camera, val raster: Raster, val intensity: Float, val planes: List<SectionPlane>)
+
     private val settings = chosen.withFile(loaded.picture)
     private val names = settings.names
     private val style = settings[PictureParameters.STYLE]
     private val isTechnical = style == PictureStyle.TECHNICAL
 
+    /** Whether there is more to see than surfaces of the model: edges, or a shadow on the ground. */
+    val hasExtras: Boolean get() = settings.hasEdges || settings.hasGroundShadow
+
     /** Sets up the picture, at a step of a turntable if [turn] makes a camera for it. */
     fun frame(turn: ((FittedViewpoint) -> Viewpoint)?): PictureFrame {
-        settings.check()
-        val camera = PictureCamera(settings)
-        val up = settings[PictureParameters.UP] ?: loaded.usualUp
-        if (camera.isMissing(loaded)) {
-            val scene = names.of(PictureParameters.CAMERA, "scene")
-            observer.warning("$scene: ${observer.name} has no camera, and is shown as a whole")
-        }
+        val shown = Shown(turn)
+        val shadowed = shown.shadowed()
+        observer.camera(shadowed.viewpoint as Camera, shown.up)
+        return frame(drawn(toned(shadowed), shown.raster), shown)
+    }
 
-        // Colours of the style, cuts, camera, axis, sizes, paint, shading
-        val cut = cut(style?.painted(loaded.scene) ?: loaded.scene)
-        val seen = sized(camera.applyTo(loaded.withScene(cut), up, turn))
-        val shaded = shaded(painted(seen))
+    /** Sets up a picture of the surfaces of the model alone. */
+    fun bare(): PictureFrame = Shown(null).let { frame(it.lit, it) }
 
-        // The camera is fitted to the whole raster. The picture may be a part of it
-        val raster = raster(shaded)
-        val viewed = shaded.withViewpoint(camera(shaded, raster))
-        val hasFreePlanes = camera.hasFreePlanes && shaded.viewpoint !is Camera
+    /** Returns what pictures of parts of [loaded] have in common if its camera, light and cuts are theirs. */
+    fun stage(): Stage = Shown(null).let { shown ->
+        val shadowed = shown.shadowed()
+        Stage(shadowed.viewpoint as Camera, shown.raster, shown.lit.lightIntensity, planes())
+    }
 
-        // Lit spheres are the last materials; only what is opaque after that hides light and lines
-        val shadowed = shadowed(opaque(lit(viewed)), hasFreePlanes)
-        observer.camera(shadowed.viewpoint as Camera, up)
-        val scene = drawn(toned(shadowed), raster)
+    private fun frame(scene: Scene, shown: Shown): PictureFrame {
+        val raster = shown.raster
         val region = region(raster)
         observer.setUp(ImageSize(raster.width, raster.height))
         val gradient = settings[PictureParameters.BACKGROUND]?.gradient
-        val crop = lazy { isCropped(viewed, raster) }
-        return PictureFrame(sampled(scene, raster).within(region), gradient, up, crop, names)
+        val crop = lazy { isCropped(shown.viewed, raster) }
+        return PictureFrame(sampled(scene, raster).within(region), gradient, shown.up, crop, names)
     }
+
+    /** The scene as its camera shows it, from the first step to light. */
+    private inner class Shown(turn: ((FittedViewpoint) -> Viewpoint)?) {
+        val up = settings[PictureParameters.UP] ?: loaded.usualUp
+        val raster: Raster
+        val viewed: Scene
+        val lit: Scene
+        private val hasFreePlanes: Boolean
+
+        init {
+            settings.check()
+            val camera = PictureCamera(settings)
+            if (camera.isMissing(loaded)) {
+                val scene = names.of(PictureParameters.CAMERA, "scene")
+                observer.warning("$scene: ${observer.name} has no camera, and is shown as a whole")
+            }
+
+            // Colours of the style, cuts, camera, axis, sizes, paint, shading
+            val cut = cut(style?.painted(loaded.scene) ?: loaded.scene)
+            val seen = sized(camera.applyTo(loaded.withScene(cut), up, turn))
+            val shaded = shaded(painted(seen))
+
+            // The camera is fitted to the whole raster. The picture may be a part of it
+            raster = stage?.raster ?: raster(shaded)
+            viewed = shaded.withViewpoint(stage?.camera ?: camera(shaded, raster))
+            hasFreePlanes = stage == null && camera.hasFreePlanes && shaded.viewpoint !is Camera
+
+            // Lit spheres are the last materials; only what is opaque after that hides light and lines
+            lit = opaque(lit(viewed))
+        }
+
+        fun shadowed() = shadowed(lit, hasFreePlanes)
+    }
+
+    private fun planes(): List<SectionPlane> =
+        stage?.planes ?: settings[PictureParameters.CUT].orEmpty().map { it.plane(loaded.scene) }
 
     private fun cut(scene: Scene): Scene {
         val cuts = settings[PictureParameters.CUT] ?: return scene
         if (scene.isOnScreen) refuse("${names.of(PictureParameters.CUT)}: a scene given on the screen cannot be cut")
-        val planes = cuts.map { it.plane(scene) }
+        val planes = planes()
         for ((cut, plane) in cuts.zip(planes)) {
             if (!isKept(scene, plane)) continue
             val word = names.of(PictureParameters.CUT, cut)
@@ -197,6 +244,7 @@ internal class PictureSteps(
 
         // A chosen colour is shown as it is
         val intensity = settings[PictureParameters.LIGHT_INTENSITY]?.toFloat()
+            ?: stage?.intensity.takeIf { loaded.isModel }
         return loaded.lit(
             scene, settings[PictureParameters.LIGHT], intensity ?: scene.lightIntensity.takeIf { color != null },
         )

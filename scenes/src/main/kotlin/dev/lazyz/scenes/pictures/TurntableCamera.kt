@@ -4,6 +4,7 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FittedViewpoint
 import dev.lazyz.world.FittedViewpoint.Fit
+import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -55,11 +56,11 @@ public class TurntableCamera @JvmOverloads constructor(
         private val front: Double
         private val back: Double
         private val room = maxOf(box.corner(0).distance(box.corner(7)) / 100, 1e-9)
-        private val halfHeight = StrictMath.tan(start.fieldOfView * (StrictMath.PI / 360.0))
+        private val projection = Projection.Perspective(start.fieldOfView)
         private val isPerspective = start.kind == Fit.PERSPECTIVE
 
         /** How far the planes through the margins move outward for each unit of distance from the eye. */
-        private val slope = if (isPerspective) halfHeight * (1.0 - start.margin / 50.0) else 0.0
+        private val slope = if (isPerspective) projection.halfHeight * (1.0 - start.margin / 50.0) else 0.0
 
         /** How far the scene reaches sideways from [center], beyond planes through it that lean by the slope. */
         private val across: Double
@@ -94,8 +95,7 @@ public class TurntableCamera @JvmOverloads constructor(
             }
             val distance = maxOf(upward / slope, across / (slope * aspect), front + 2 * room)
             val eye = Vector3d(at.direction).mul(distance).add(center)
-            val zoomed = StrictMath.atan(halfHeight / start.zoom) * (360.0 / StrictMath.PI)
-            val field = if (start.zoom == 1.0) start.fieldOfView else zoomed
+            val field = projection.magnified(start.zoom).verticalFieldOfView
             return Camera.perspective(eye, center, at.up, field, distance - front - room, distance + back + room)
         }
 

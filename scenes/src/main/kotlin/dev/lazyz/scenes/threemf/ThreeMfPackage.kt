@@ -2,6 +2,7 @@ package dev.lazyz.scenes.threemf
 
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.zip.ZipArchive
 import java.io.IOException
 
 /**

@@ -8,6 +8,7 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.threemf.ThreeMfFiles.TRIANGLE
 import dev.lazyz.scenes.threemf.ThreeMfFiles.model
+import dev.lazyz.scenes.zip.ZipArchive
 import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder

@@ -38,7 +38,8 @@ internal object MediaTypes {
     }
 
     /**
-     * Returns the format that the content looks like, which has [size] bytes and begins with [start].
+     * Returns the format that the content looks like, which has [size] bytes and begins with [start]: for ZIP archives
+     * 3MF, which is one.
      *
      * @throws Problem if it looks like no model
      */

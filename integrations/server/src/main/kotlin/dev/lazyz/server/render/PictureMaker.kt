@@ -8,13 +8,17 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.pictures.NoPictureException
 import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.pictures.PictureObserver
+import dev.lazyz.scenes.pictures.PictureParameters
+import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.pictures.VisibleRows
 import dev.lazyz.scenes.writers.PngSink
+import dev.lazyz.scenes.zip.ModelArchive
 import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.world.Scene
+import dev.lazyz.world.surface.Mesh
 import java.util.concurrent.ForkJoinPool
 
 /**
@@ -45,12 +49,27 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     private fun outputNeed(request: PictureRequest): Long =
         request.pixels * BYTES_PER_PIXEL + pngBlocks * BLOCK_BYTES
 
-    /** Returns the bytes of memory that a model of [size] bytes in this [format] takes, with an array of them. */
-    fun modelNeed(format: SceneFormat, size: Int): Long = decoded(format, size) * MEMORY_PER_DECODED + size
+    /** What edges and cuts take of a model that is loaded. */
+    private fun linesNeed(scene: Scene, request: PictureRequest): Long {
+        val meshes = scene.surfaces.filterIsInstance<Mesh>()
+        val edges = if (request.settings.hasEdges) meshes.sumOf { it.triangleCount * BYTES_PER_EDGED } else 0L
+        if (request.settings[PictureParameters.CUT] == null) return edges
+        return edges + meshes.sumOf { (it.triangleCount + it.vertexCount) * BYTES_PER_CUT }
+    }
 
     /**
-     * Returns the picture of the model in [body], in [memory] bytes.
+     * Returns the bytes of memory that a model of [size] bytes that begin with [start] takes, with an array of them.
      *
+     * @param format its format, or that of the model in a ZIP archive; null if its content decides
+     * @throws Problem if it looks like no model
+     */
+    fun modelNeed(format: SceneFormat?, start: ByteArray, size: Int): Long =
+        decoded(format, start, size) * MEMORY_PER_DECODED + size
+
+    /**
+     * Returns the picture of the model in [body], a file or a ZIP archive, in [memory] bytes.
+     *
+     * @param format as for [modelNeed]
      * @param grow is called with the bytes that are needed, when that turns out to be more than [memory], before they
      *   are used. It throws if there are too few
      * @throws dev.lazyz.scenes.SceneFormatException if the model is invalid, or exceeds a limit
@@ -59,29 +78,44 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
      */
     fun picture(
         body: ByteArray,
-        format: SceneFormat,
+        format: SceneFormat?,
         request: PictureRequest,
         memory: Long,
         grow: (Long) -> Unit,
     ): RenderedPicture {
-        val decoded = decoded(format, body.size)
+        val decoded = decoded(format, body, body.size)
         val own = limits.withDecodedBytes(decoded)
-        val loaded = Scenes.load(body, format, "model", request.settings.loadOptions(own))
-        requireGoingOn()
+        return ModelArchive.read(body, format, "model", request.model, request.settings, own) { loaded, settings ->
+            requireGoingOn()
+            val items = listOf(
+                RenderPlan.Item("file", body.size.toLong()),
+                RenderPlan.Item("model", decoded),
+                RenderPlan.Item("lines and cuts", linesNeed(loaded.scene, request)),
+            )
+            picture(loaded, settings, request, PictureObserver(limits = own), items, memory, grow)
+        }
+    }
 
+    /** Returns the picture of [loaded]; [before] is what it takes besides drawing. */
+    private fun picture(
+        loaded: LoadedScene,
+        settings: PictureSettings,
+        request: PictureRequest,
+        observer: PictureObserver,
+        before: List<RenderPlan.Item>,
+        memory: Long,
+        grow: (Long) -> Unit,
+    ): RenderedPicture {
         // The loader's working memory is free now
-        val items = listOf(
-            RenderPlan.Item("file", body.size.toLong()),
-            RenderPlan.Item("model", decoded),
+        val items = before + listOf(
             RenderPlan.Item("set-up", loaded.scene.setUpBytes),
             RenderPlan.Item("output", outputNeed(request)),
             RenderPlan.Item("shadows", shadowNeed(request)),
         )
         val setUp = items.sumOf { it.bytes }
         if (setUp > memory) grow(setUp)
-        val observer = PictureObserver(limits = own)
         val frame = try {
-            request.settings.frame(loaded, options, observer)
+            settings.frame(loaded, options, observer)
         } catch (e: NoPictureException) {
             val reason = ClientText.of(e.message.orEmpty())
             throw Problem(Problem.UNPROCESSABLE, "the model cannot be shown as requested: $reason")
@@ -119,10 +153,13 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         frame.plan(RenderPlanner(RenderPlan.leastMemory(memory), options), listOf(renderer), items)
 
     /** Returns the limit of decoded data for a model: text and plain numbers become at most so many times larger. */
-    private fun decoded(format: SceneFormat, size: Int): Long = when (format) {
-        SceneFormat.OBJ, SceneFormat.STL, SceneFormat.PLY, SceneFormat.OFF ->
-            minOf(mostDecoded, LEAST_DECODED + MOST_GROWTH * size)
-        else -> mostDecoded
+    private fun decoded(format: SceneFormat?, start: ByteArray, size: Int): Long {
+        if (ModelArchive.isZip(start)) return mostDecoded
+        return when (format ?: MediaTypes.sniffed(start, size)) {
+            SceneFormat.OBJ, SceneFormat.STL, SceneFormat.PLY, SceneFormat.OFF ->
+                minOf(mostDecoded, LEAST_DECODED + MOST_GROWTH * size)
+            else -> mostDecoded
+        }
     }
 
     private fun requireGoingOn() {
@@ -153,6 +190,13 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
 
         /** Maps of distances, see [dev.lazyz.lighting.AmbientOcclusion]. */
         private const val SHADOW_BYTES = 18L shl 20
+
+        /**
+         * For a triangle: its edges with neighbours, their places on the raster and what hides them, and lines; and its
+         * part of a cut, with that of the vertices.
+         */
+        private const val BYTES_PER_EDGED = 768L
+        private const val BYTES_PER_CUT = 256L
 
         /** A block of a PNG file while it is compressed, see [PngSink]. */
         private const val BLOCK_BYTES = 1L shl 20

@@ -12,25 +12,41 @@ import dev.lazyz.server.RenderServer
 import dev.lazyz.server.ServerConfig
 import dev.lazyz.shared.PictureWords
 import dev.lazyz.strategies.tiled.TiledRenderer
+import java.io.ByteArrayOutputStream
 import java.net.URLEncoder
+import java.nio.file.Path
+import java.util.zip.ZipEntry
+import java.util.zip.ZipOutputStream
 import javax.imageio.ImageIO
+import kotlin.io.path.writeBytes
 import org.junit.jupiter.api.AfterAll
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
 
 /** The parameters give the pictures and the messages of the library. */
 class ParametersTest {
     private val usual = PictureSettings().withDefault(PictureParameters.SIZE, ImageSize(40, 30))
 
+    @TempDir
+    lateinit var folder: Path
+
+    private val files = listOf(PictureParameters.TEXTURE, PictureParameters.MATCAP)
+
     private fun assertSame(format: SceneFormat, model: String, words: Map<String, String>) {
+        val hasFiles = files.any { it.name in words }
+        val body = model.toByteArray().let { if (hasFiles) PictureWords.archive(it) else it }
+        folder.resolve("picture.png").writeBytes(PictureWords.picture())
         val query = (mapOf("size" to "40x30") + words).entries.joinToString("&") { (name, word) ->
             "$name=${URLEncoder.encode(word, Charsets.UTF_8)}"
         }
-        val answer = client.post("/render?$query", model.toByteArray())
+        val answer = client.post("/render?$query", body)
         val text = answer.body().decodeToString()
         val image = try {
-            val settings = PictureDoor.SERVICE.read(usual, words.toList()).also { it.check() }
+            val asked = PictureDoor.SERVICE.read(usual, words.toList()).also { it.check() }
+            val settings = files.filter { asked[it] != null }
+                .fold(asked) { all, file -> all.with(file, folder.resolve("${asked[file]}")) }
             val observer = PictureObserver()
             settings.frame(Scenes.load(model.byteInputStream(), format), observer = observer).render(TiledRenderer())
         } catch (e: IllegalArgumentException) {
@@ -71,6 +87,46 @@ class ParametersTest {
         assertTrue(usual.headers().firstValue("lazyz-cropped").isEmpty)
         val near = client.post("/render?size=40x30&zoom=3", WEDGE.toByteArray())
         assertEquals("true", near.headers().firstValue("lazyz-cropped").orElse("missing"))
+    }
+
+    @Test
+    fun archivesHaveModelsWithTheirFiles() {
+        val textured = "mtllib a.mtl\nusemtl a\nvt 0 0\nvt 1 0\nvt 0 1\n" + WEDGE.replace("f 1 3 2", "f 1/1 3/3 2/2")
+        fun zip(vararg files: Pair<String, String>): ByteArray {
+            val bytes = ByteArrayOutputStream()
+            ZipOutputStream(bytes).use { zip ->
+                for ((name, text) in files) {
+                    zip.putNextEntry(ZipEntry(name))
+                    zip.write(if (name.endsWith(".png")) PictureWords.picture() else text.toByteArray())
+                }
+            }
+            return bytes.toByteArray()
+        }
+        val looks = "a.mtl" to "newmtl a\nmap_Kd looks/picture.png\n"
+        val whole = zip("a.obj" to textured, looks, "looks/picture.png" to "")
+        val answer = client.post("/render?size=40x30&view=front", whole, "Content-Type", "application/zip")
+        assertEquals(200, answer.statusCode()) { answer.body().decodeToString() }
+        assertTrue(answer.headers().allValues("lazyz-warning").isEmpty()) { "${answer.headers()}" }
+        val part = client.post("/render?size=40x30&view=front", zip("a.obj" to textured, looks))
+        val warning = part.headers().allValues("lazyz-warning").single()
+        assertTrue("looks/picture.png" in warning && "lazyz-" !in warning) { warning }
+
+        fun refused(status: Int, detail: String, query: String, body: ByteArray) {
+            val text = client.post("/render?size=8&$query", body).run { "${statusCode()} ${body().decodeToString()}" }
+            assertTrue(text.startsWith("$status ") && detail in text && "/tmp" !in text) { text }
+        }
+        val two = zip("a.obj" to WEDGE, "b.obj" to WEDGE, "c.txt" to WEDGE)
+        refused(422, "it has 2 models, a.obj, b.obj; choose one", "", two)
+        refused(422, "there is no file 'd.obj' in it", "model=d.obj", two)
+        assertEquals(200, client.post("/render?size=8&model=b.obj", two).statusCode())
+        assertEquals(200, client.post("/render?size=8&model=c.txt&format=obj", two).statusCode())
+        refused(422, "is no ZIP archive, so 'model' has no effect", "model=a.obj", WEDGE.toByteArray())
+        refused(422, "is no ZIP archive, so 'texture' has no effect", "texture=/etc/passwd", WEDGE.toByteArray())
+        refused(422, "there is no file '/etc/passwd' in it", "texture=/etc/passwd", zip("a.obj" to WEDGE))
+        refused(422, "'../a.obj' is no name of a file in an archive", "", zip("../a.obj" to WEDGE))
+        refused(422, "no file in it is a model", "", zip("a.png" to ""))
+        refused(422, "", "format=3mf", zip("a.obj" to WEDGE))
+        refused(400, "a scene is no model", "format=scene", zip("a.obj" to WEDGE))
     }
 
     private companion object {

@@ -7,6 +7,7 @@ import dev.lazyz.scenes.ReferencePolicy
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.pictures.PictureObserver
+import dev.lazyz.scenes.zip.ModelArchive
 import dev.lazyz.strategies.tiled.TiledRenderer
 import java.io.Serializable
 import java.time.Duration
@@ -40,14 +41,15 @@ internal class ModelPicture(limits: LoadLimits) {
     }
 
     private fun picture(name: String, bytes: ByteArray, wish: PictureOptions): Row {
-        val format = wish.format ?: SceneFormat.ofFileName(name) ?: Scenes.formatOf(bytes)
-        requireNotNull(format) { "$name: no known format; state it, such as format=stl" }
-        val settings = wish.settings()
-        val loaded = Scenes.load(bytes, format, name, settings.loadOptions(limits))
-        val observer = PictureObserver(name, limits)
-        val frame = settings.frame(loaded, options, observer)
-        val warnings = loaded.warnings + observer.warnings
-        return PictureColumns.row(name, wish, frame.render(renderer), frame.isCropped, warnings)
+        val isArchive = wish.format != SceneFormat.THREE_MF && ModelArchive.isOne(bytes, limits)
+        val format = wish.format ?: if (isArchive) null else SceneFormat.ofFileName(name) ?: Scenes.formatOf(bytes)
+        require(isArchive || format != null) { "$name: no known format; state it, such as format=stl" }
+        return ModelArchive.read(bytes, format, name, wish.model, wish.settings(), limits) { loaded, settings ->
+            val observer = PictureObserver(name, limits)
+            val frame = settings.frame(loaded, options, observer)
+            val warnings = loaded.warnings + observer.warnings
+            PictureColumns.row(name, wish, frame.render(renderer), frame.isCropped, warnings)
+        }
     }
 
     companion object {

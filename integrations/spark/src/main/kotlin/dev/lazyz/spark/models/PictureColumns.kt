@@ -38,19 +38,14 @@ internal object PictureColumns {
         if (wish.has("png")) image.toPng() else null,
         if (wish.has("pixels")) bytes(image.argb) else null,
         if (wish.has("depth")) bytes(image.depth) else null,
-        image.pixelHash(), row(image.counters), blank(image), isCropped, warnings.toTypedArray(), null,
+        image.pixelHash(), row(image.counters),
+        VisibleRows(image.width).apply { add(image) }.blank?.name?.lowercase(), isCropped,
+        warnings.toTypedArray(), null,
     )
 
     /** Returns the row of a model that cannot be shown. */
     fun failure(name: String, words: String, error: String): Row =
         RowFactory.create(name, words, null, null, null, null, null, null, null, null, null, null, error)
-
-    /** Returns why there is nothing to see, or null. */
-    private fun blank(image: Image): String? {
-        val rows = VisibleRows(image.argb.size)
-        rows.row(0, image.argb, image.depth, image.primitive)
-        return rows.blank?.name?.lowercase()
-    }
 
     private fun row(counters: Counters): Row = with(counters) {
         RowFactory.create(primitives, fragments, depthEvaluations, depthPasses, shadingCalls)

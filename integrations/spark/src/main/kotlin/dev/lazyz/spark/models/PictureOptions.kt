@@ -11,8 +11,9 @@ import java.io.Serializable
  * What a picture of a model shows, written as words `name=value` with spaces or commas between them, for example
  * `size=256 view=iso aa=4`. The names and values are those of [PictureParameters], which are those of `zcli render`; a
  * comma belongs to a value if no `=` follows, as in `eye=1,2,3`, and to a name that switches something on, such as
- * `edges`, `=true` can be left out. The default of `size` is 256. There is one more name: `output` is `png`, which is
- * the default, `pixels` or `depth`, or several joined by `+`.
+ * `edges`, `=true` can be left out. The default of `size` is 256. There are two more names: `output` is `png`, which
+ * is the default, `pixels` or `depth`, or several joined by `+`; `model` is the model in a ZIP archive, if there are
+ * several. Files, as of `texture`, are names in the archive.
  *
  * Immutable. Throws [IllegalArgumentException] if a word is not understood, or two exclude each other; the message says
  * which.
@@ -31,7 +32,9 @@ public class PictureOptions(public val words: String) : Serializable {
     internal fun has(output: String): Boolean = output in outputs()
 
     internal fun settings(): PictureSettings =
-        PictureDoor.SPARK.read(USUAL, pairs().filter { (name, _) -> name != OUTPUT })
+        PictureDoor.SPARK.read(USUAL, pairs().filter { (name, _) -> name != OUTPUT && name != MODEL })
+
+    internal val model: String? get() = pairs().lastOrNull { (name, _) -> name == MODEL }?.second
 
     private fun outputs(): List<String> {
         val word = pairs().lastOrNull { (name, _) -> name == OUTPUT }?.second ?: OUTPUTS[0]
@@ -65,8 +68,9 @@ public class PictureOptions(public val words: String) : Serializable {
     public companion object {
         private const val serialVersionUID = 1L
         private const val OUTPUT = "output"
+        private const val MODEL = "model"
         private val USUAL = PictureSettings().withDefault(PictureParameters.SIZE, ImageSize(256, 256))
         private val OUTPUTS = listOf("png", "pixels", "depth")
-        private val NAMES = PictureDoor.SPARK.parameters.map { it.name } + OUTPUT
+        private val NAMES = PictureDoor.SPARK.parameters.map { it.name } + OUTPUT + MODEL
     }
 }

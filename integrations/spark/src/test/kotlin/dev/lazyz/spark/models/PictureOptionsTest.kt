@@ -12,23 +12,37 @@ import dev.lazyz.spark.ModelPictures
 import dev.lazyz.spark.Models
 import dev.lazyz.spark.RenderModel
 import dev.lazyz.strategies.tiled.TiledRenderer
+import java.nio.file.Path
+import kotlin.io.path.writeBytes
 import org.apache.spark.sql.Row
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
 
 /** The options give the pictures and the messages of the library. */
 class PictureOptionsTest {
     private val usual = PictureSettings().withDefault(PictureParameters.SIZE, ImageSize(40, 30))
 
-    private fun row(words: String): Row = RenderModel().call(Models.OBJ.toByteArray(), "a.obj", words)
+    @TempDir
+    lateinit var folder: Path
+
+    private val files = listOf(PictureParameters.TEXTURE, PictureParameters.MATCAP)
+
+    private fun row(words: String, model: ByteArray = Models.OBJ.toByteArray()): Row =
+        RenderModel().call(model, "a.obj", words)
 
     private fun Row.text(column: String): String? = getString(ModelPictures.schema.fieldIndex(column))
 
     private fun assertSame(words: Map<String, String>) {
-        val row = row((mapOf("size" to "40x30") + words).entries.joinToString(" ") { "${it.key}=${it.value}" })
+        val all = (mapOf("size" to "40x30") + words).entries.joinToString(" ") { "${it.key}=${it.value}" }
+        val model = Models.OBJ.toByteArray()
+        val row = row(all, if (files.any { it.name in words }) PictureWords.archive(model) else model)
+        folder.resolve("picture.png").writeBytes(PictureWords.picture())
         val image = try {
-            val settings = PictureDoor.SPARK.read(usual, words.toList()).also { it.check() }
+            val asked = PictureDoor.SPARK.read(usual, words.toList()).also { it.check() }
+            val settings = files.filter { asked[it] != null }
+                .fold(asked) { all, file -> all.with(file, folder.resolve("${asked[file]}")) }
             val loaded = Scenes.load(Models.OBJ.toByteArray(), SceneFormat.OBJ, "a.obj")
             settings.frame(loaded, observer = PictureObserver("a.obj")).render(TiledRenderer())
         } catch (e: IllegalArgumentException) {
@@ -42,6 +56,16 @@ class PictureOptionsTest {
     @Test
     fun eachParameterHasThePicturesAndMessagesOfTheLibrary() {
         for (words in PictureWords.combinations(PictureDoor.SPARK.parameters.map { it.name })) assertSame(words)
+    }
+
+    @Test
+    fun archivesHaveModelsWithTheirFiles() {
+        val zip = PictureWords.archive(Models.OBJ.toByteArray())
+        assertEquals(row("").text("hash"), row("model=MODEL.obj", zip).text("hash"))
+        val missing = row("model=b.obj", zip).text("error")
+        assertEquals("a.obj: there is no file 'b.obj' in it; it has model.obj, picture.png", missing)
+        val lonely = row("matcap=picture.png").text("error")
+        assertEquals("a.obj: is no ZIP archive, so 'matcap' has no effect; send one, or omit it", lonely)
     }
 
     @Test

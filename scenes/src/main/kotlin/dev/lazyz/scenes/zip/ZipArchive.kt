@@ -1,4 +1,4 @@
-package dev.lazyz.scenes.threemf
+package dev.lazyz.scenes.zip
 
 import dev.lazyz.scenes.loading.Source
 import java.io.ByteArrayInputStream
@@ -14,7 +14,14 @@ import java.util.zip.InflaterInputStream
  * Conventions require (ECMA-376, part 2, 6.2.2.3). Not thread safe.
  */
 internal class ZipArchive(private val source: Source) {
-    private class Entry(val name: String, val method: Int, val isEncrypted: Boolean, val size: Long, val position: Long)
+    private class Entry(
+        val name: String,
+        val method: Int,
+        val isEncrypted: Boolean,
+        val isLink: Boolean,
+        val size: Long,
+        val position: Long,
+    )
 
     private val buffer = ByteBuffer.wrap(source.bytes).order(ByteOrder.LITTLE_ENDIAN)
     private val entries = LinkedHashMap<String, Entry>()
@@ -26,11 +33,18 @@ internal class ZipArchive(private val source: Source) {
     /** The names of all files, in the directory's order. */
     val names: List<String> get() = entries.values.map { it.name }
 
+    /** A name that is there twice, or null. */
+    var repeated: String? = null
+        private set
+
+    /** Returns whether the file called [name] is a symbolic link. */
+    fun isLink(name: String): Boolean = entries[key(name)]?.isLink == true
+
     /**
      * Returns the decompressed bytes of the file called [name], or null if there is none. Bytes of compressed files
-     * count towards the limits as they are read.
+     * count towards the limits as they are read, and those of others if [isAllCounted]: files may share their bytes.
      */
-    fun open(name: String): InputStream? {
+    fun open(name: String, isAllCounted: Boolean = false): InputStream? {
         val entry = entries[key(name)] ?: return null
         if (entry.isEncrypted) source.fail(entry.name, "is encrypted", "save the model without a password")
         val start = entry.position
@@ -40,7 +54,7 @@ internal class ZipArchive(private val source: Source) {
         if (entry.size < 0 || entry.size > buffer.limit() - content) damaged()
         val packed = ByteArrayInputStream(source.bytes, content.toInt(), entry.size.toInt())
         return when (entry.method) {
-            STORED -> packed
+            STORED -> if (isAllCounted) Limited(source, packed) else packed
             DEFLATED -> Limited(source, InflaterInputStream(packed, Inflater(true), CHUNK))
             else -> source.fail(entry.name, "is packed by method ${entry.method}", "pack it by method 8, deflate")
         }
@@ -90,7 +104,9 @@ internal class ZipArchive(private val source: Source) {
         }
         if (position == MOST_INT) position = long(large)
         val isEncrypted = short(at + 8) and 1 != 0
-        entries.putIfAbsent(key(name), Entry(name, short(at + 10), isEncrypted, size, position))
+        val isLink = short(at + 4) shr 8 == UNIX && short(at + 40) and FILE_TYPE == LINK
+        val entry = Entry(name, short(at + 10), isEncrypted, isLink, size, position)
+        if (entries.putIfAbsent(key(name), entry) != null) repeated = name
         return next
     }
 
@@ -142,6 +158,11 @@ internal class ZipArchive(private val source: Source) {
         private const val STORED = 0
         private const val DEFLATED = 8
         private const val CHUNK = 1 shl 16
+
+        /** The system whose attributes a file has, the bits of its type, and that of a link. */
+        private const val UNIX = 3
+        private const val FILE_TYPE = 0xF000
+        private const val LINK = 0xA000
 
         private fun key(name: String): String = name.removePrefix("/").lowercase()
     }
