@@ -2,10 +2,14 @@ package dev.lazyz.scenes;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.lazyz.scenes.diff.Measure;
+import dev.lazyz.scenes.diff.ModelDifference;
 import dev.lazyz.scenes.pictures.PictureParameters;
 import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.world.View;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Options take numbers as Java writes them: this class does not compile if one takes an object of a number. */
@@ -33,6 +37,15 @@ class JavaOptionsTest {
                 .with(PictureParameters.VIEW, View.ISO);
         assertEquals(2.0, settings.get(PictureParameters.LIGHT_INTENSITY));
         assertNull(settings.without(PictureParameters.VIEW).get(PictureParameters.VIEW));
+    }
+
+    @Test
+    void modelsAreComparedWithTheUsualSettings() throws InterruptedException {
+        LoadedScene teapot = new LoadedScene(Scenes.teapot(1), List.of());
+        ModelDifference difference = ModelDifference.between(teapot, teapot, new PictureSettings(8, 6));
+        assertTrue(difference.isEqual());
+        assertEquals(48, difference.count(ModelDifference.Change.SAME));
+        assertEquals(0.0, difference.getWhole().difference(Measure.AREA));
     }
 
     @Test

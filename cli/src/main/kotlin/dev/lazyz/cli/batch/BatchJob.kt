@@ -11,10 +11,10 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.counted
 import dev.lazyz.cli.output.printable
 import dev.lazyz.cli.render.StatsForm
-import dev.lazyz.cli.sheet.ContactSheet
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.pictures.PictureParameters
+import dev.lazyz.scenes.sheets.ContactSheet
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
 import java.util.concurrent.Future
@@ -128,9 +128,7 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
             )
         }
         val labels = plan.inputs.flatMap { input -> input.views.flatMap { it.labels } }
-        val columns = request.series.columns ?: ContactSheet.usualColumns(labels.size, plan.perInput, size)
-        val color = settings[PictureParameters.BACKGROUND]?.takeIf { it.gradient == null }?.color?.toArgb() ?: WHITE
-        return ContactSheet(size, labels, columns, color)
+        return ContactSheet.of(settings, labels, request.series.columns, plan.perInput)
     }
 
     private fun bytes(sheet: ContactSheet): Long = BYTES_PER_PIXEL * sheet.width * sheet.height
@@ -146,6 +144,5 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
 
         /** They are in an array. */
         const val MOST_PIXELS = Int.MAX_VALUE - 8L
-        const val WHITE = -1
     }
 }

@@ -1,7 +1,7 @@
 package dev.lazyz.cli.batch
 
 import dev.lazyz.cli.output.Progress
-import dev.lazyz.cli.sheet.ContactSheet
+import dev.lazyz.scenes.sheets.ContactSheet
 import java.util.ArrayDeque
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock

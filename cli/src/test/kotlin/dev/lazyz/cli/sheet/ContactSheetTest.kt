@@ -8,6 +8,7 @@ import dev.lazyz.scenes.ImageSize
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.writeText
+import dev.lazyz.scenes.sheets.ContactSheet
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotEquals

@@ -79,7 +79,7 @@ internal class Answer private constructor(
             val detail = if (warnings == 0) "" else "$warnings warnings"
             return Answer(status, "", picture.takeUnless { isKnown }, detail).apply {
                 headers.set(HttpHeaderNames.ETAG, tag)
-                if (!isKnown) headers.set(HttpHeaderNames.CONTENT_TYPE, "image/png")
+                if (!isKnown) headers.set(HttpHeaderNames.CONTENT_TYPE, picture.type)
                 picture.blank?.let { headers.add("lazyz-blank", it.name.lowercase()) }
                 if (picture.isCropped) headers.add("lazyz-cropped", "true")
                 for (warning in picture.warnings) headers.add("lazyz-warning", ascii(warning))

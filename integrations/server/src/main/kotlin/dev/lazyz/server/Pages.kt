@@ -1,6 +1,7 @@
 package dev.lazyz.server
 
 import dev.lazyz.scenes.pictures.PictureDoor
+import dev.lazyz.server.render.PictureRequest
 import dev.lazyz.server.render.Problem
 import io.netty.handler.codec.http.HttpMethod
 
@@ -58,11 +59,11 @@ internal object Pages {
         appendLine("Lazy Z renders 3D models to pictures.")
         appendLine()
         appendLine("  POST /render      a model in the body, or a ZIP archive with it and its files;")
-        appendLine("                    the answer is a PNG file")
+        appendLine("                    the answer is a PNG file, or what aov and turntable say")
         appendLine()
         appendLine("Parameters, as in /render?size=512&view=iso:")
         appendLine()
-        appendLine("  model=NAME\n      The model in an archive; default: the only one")
+        for ((name, own) in PictureRequest.OWN) appendLine("  $name=${own.first}\n      ${own.second}")
         for (parameter in PictureDoor.SERVICE.parameters) {
             appendLine("  ${parameter.name}=${parameter.values.form ?: "true"}\n      ${parameter.text(prefix = "")}")
         }

@@ -138,7 +138,7 @@ class ModelPicturesTest {
         val teapot = expected(Models.stl(), SceneFormat.STL, UpAxis.Z)
 
         // The first cell of the second row
-        val cell = (0 until 48).flatMap { y -> (0 until 64).map { x -> first.color(6 + x, 6 + 48 + 13 + 6 + y) } }
+        val cell = (0 until 48).flatMap { y -> (0 until 64).map { x -> first.color(6 + x, 6 + 48 + 15 + 6 + y) } }
         val same = Picture.of(teapot)
         assertEquals((0 until 48).flatMap { y -> (0 until 64).map { x -> same.color(x, y) } }, cell)
     }

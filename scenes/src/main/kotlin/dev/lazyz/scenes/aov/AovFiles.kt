@@ -72,6 +72,15 @@ public object AovFiles {
         }
     }
 
+    /**
+     * Writes several AOVs as [AovFormat.NPZ] to [output], and closes it.
+     *
+     * @throws IOException if writing to the stream fails
+     */
+    @JvmStatic
+    @Throws(IOException::class)
+    public fun writeArchive(output: OutputStream, images: List<AovImage>): Unit = Npy.writeArchive(output, images)
+
     private fun formatOf(path: Path): AovFormat = requireNotNull(AovFormat.ofPath(path)) {
         "cannot tell the format of $path: it must end in one of ${AovFormat.entries.joinToString { ".${it.id}" }}"
     }

@@ -252,7 +252,8 @@ public class ModelArchive private constructor(
         }
 
         private fun isElsewhere(file: String, parts: List<String>): Boolean {
-            val isOdd = parts.any { it.isBlank() || it == "." || it == ".." || it.endsWith('.') || it.endsWith(' ') }
+            // Besides `.` and `..`, what ends like them is another name on some systems
+            val isOdd = parts.any { it.isBlank() || it.endsWith('.') || it.endsWith(' ') }
             if (isOdd || parts.size > DEEPEST || file.length > LONGEST) return true
             if (file.any { it.isISOControl() || it in ":*?\"<>|" }) return true
             return try {

@@ -1,7 +1,6 @@
 package dev.lazyz.scenes.diff
 
 import dev.lazyz.Rgba
-import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
@@ -125,6 +124,10 @@ class ModelDifferenceTest {
         val old = model(cube(), cube(side = 1f))
         val deeper = between(old, model(cube(), cube(side = 1f).let { nearer(it) }), front)
         assertEquals(listOf(Change.MOVED), deeper.counts())
+        val (flat, turned) = listOf(0f, 1e-6f).map { x ->
+            Mesh(cube().positions, FACES, Material(), FloatArray(24) { if (it % 3 == 2) 1f else x })
+        }
+        assertEquals(listOf(Change.MOVED), between(model(flat), model(turned), front).counts(), "the normal alone")
         val red = between(model(cube()), model(cube(color = Rgba.ofRgb(0xFF0000))), front)
         assertEquals(listOf(Change.RECOLORED), red.counts())
         assertTrue(red.whole.isEqual)
@@ -153,7 +156,6 @@ class ModelDifferenceTest {
             assertTrue(drawn.count(Change.RECOLORED) > plain.count(Change.RECOLORED), "$asked")
             assertTrue(drawn.before.visible > plain.before.visible, "$asked")
         }
-        assertTrue(AmbientOcclusion.DEFAULT_DIRECTIONS > 0)
     }
 
     /** What is measured of one model alone would change what did not change. */

@@ -1,10 +1,8 @@
 package dev.lazyz.server.render
 
-import dev.lazyz.Image.PixelHash
 import dev.lazyz.RenderOptions
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
-import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
@@ -13,8 +11,6 @@ import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
-import dev.lazyz.scenes.pictures.VisibleRows
-import dev.lazyz.scenes.writers.PngSink
 import dev.lazyz.scenes.zip.ModelArchive
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Scene
@@ -46,8 +42,10 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         return if (hasShadows) SHADOW_BYTES else 0
     }
 
-    private fun outputNeed(request: PictureRequest): Long =
-        request.pixels * BYTES_PER_PIXEL + pngBlocks * BLOCK_BYTES
+    private fun outputNeed(request: PictureRequest): Long {
+        val numbers = request.aovs.sumOf { it.channels.size } + if (request.views.isEmpty()) 0 else 1
+        return request.pixels * (BYTES_PER_PIXEL + numbers * BYTES_PER_NUMBER) + pngBlocks * BLOCK_BYTES
+    }
 
     /** What edges and cuts take of a model that is loaded. */
     private fun linesNeed(scene: Scene, request: PictureRequest): Long {
@@ -114,31 +112,25 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         )
         val setUp = items.sumOf { it.bytes }
         if (setUp > memory) grow(setUp)
-        val frame = try {
-            settings.frame(loaded, options, observer)
-        } catch (e: NoPictureException) {
-            val reason = ClientText.of(e.message.orEmpty())
-            throw Problem(Problem.UNPROCESSABLE, "the model cannot be shown as requested: $reason")
-        }
-        requireGoingOn()
-        val plan = plan(frame, maxOf(memory, setUp), items)
-        if (!plan.fits) grow(plan.bytes)
-        val png = RenderedPicture.Bytes()
-        val hash = PixelHash()
-        val rows = VisibleRows(frame.pixels.width)
-        val size = ImageSize(frame.pixels.width, frame.pixels.height)
-        val work = PngSink(png, size.width, size.height, frame.alpha).use { sink ->
-            frame.render(plan.renderer) { y, argb, depth, primitive ->
-                hash.add(argb, size.width)
-                rows.row(y, argb, depth, primitive)
-                sink.row(y, argb, depth, primitive)
+        val turntable = request.steps?.let { settings.turntable(loaded, it) }
+        val file = RenderedPicture.Bytes()
+        val output = PictureOutput(file, request)
+        for (step in 0 until request.frames) {
+            val frame = try {
+                turntable?.frame(step, options, observer)
+                    ?: request.settings(settings, step).frame(loaded, options, observer)
+            } catch (e: NoPictureException) {
+                val reason = ClientText.of(e.message.orEmpty())
+                throw Problem(Problem.UNPROCESSABLE, "the model cannot be shown as requested: $reason")
             }
+            requireGoingOn()
+            val plan = plan(frame, maxOf(memory, setUp), items)
+            if (!plan.fits) grow(plan.bytes)
+            output.add(frame, plan.renderer)
         }
-        if (work.fragments == 0L) throw nothing(loaded)
-
-        // Width and height are not part of the hash
-        val warnings = loaded.warnings + observer.warnings
-        return RenderedPicture(png, "$size-${hash.digest()}", warnings, rows.blank, frame.isCropped)
+        if (output.fragments == 0L) throw nothing(loaded)
+        val warnings = loaded.warnings + observer.warnings.distinct()
+        return RenderedPicture(file, output.type, output.tag, warnings, output.blank, output.isCropped)
     }
 
     /** Returns the problem that the picture is empty, with the reasons. */
@@ -182,6 +174,9 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         /** The PNG file, and room for it to grow. */
         private const val BYTES_PER_PIXEL = 8L
 
+        /** A number of an AOV, or the colour of a cell, and the same in a file that grows. */
+        private const val BYTES_PER_NUMBER = 12L
+
         /** Rows of tiles and of the filter. */
         private const val BYTES_PER_COLUMN = 1024L
 
@@ -198,7 +193,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         private const val BYTES_PER_EDGED = 768L
         private const val BYTES_PER_CUT = 256L
 
-        /** A block of a PNG file while it is compressed, see [PngSink]. */
+        /** A block of a PNG file while it is compressed, see [dev.lazyz.scenes.writers.PngSink]. */
         private const val BLOCK_BYTES = 1L shl 20
         private const val MOST_BLOCKS = 17
     }

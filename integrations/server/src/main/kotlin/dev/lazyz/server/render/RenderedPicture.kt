@@ -8,14 +8,16 @@ import java.io.InputStream
 /**
  * A finished picture.
  *
- * @param png the bytes of a PNG file
+ * @param file the bytes of a file
+ * @property type its media type
  * @property tag names the picture: two with the same pixels have the same
  * @param warnings what the loader has left out
  * @property blank why there is nothing to see in it, or null
  * @property isCropped whether a part of the model is outside
  */
 internal class RenderedPicture(
-    private val png: Bytes,
+    private val file: Bytes,
+    val type: String,
     val tag: String,
     warnings: List<String>,
     val blank: Blank?,
@@ -28,12 +30,12 @@ internal class RenderedPicture(
     val warnings: List<String> = warnings.take(MOST_WARNINGS).map(ClientText::of)
 
     /** The bytes of the file. */
-    val size: Int get() = png.size()
+    val size: Int get() = file.size()
 
     /** The bytes of memory that it takes: its array has room to grow. */
-    val memory: Long get() = png.room.toLong()
+    val memory: Long get() = file.room.toLong()
 
-    fun open(): InputStream = png.open()
+    fun open(): InputStream = file.open()
 
     private companion object {
         const val MOST_WARNINGS = 5

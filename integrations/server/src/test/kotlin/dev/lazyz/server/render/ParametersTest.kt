@@ -1,25 +1,33 @@
 package dev.lazyz.server.render
 
+import dev.lazyz.aov.Aov
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.aov.AovFiles
 import dev.lazyz.scenes.pictures.PictureDoor
 import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
+import dev.lazyz.scenes.sheets.ContactSheet
+import dev.lazyz.scenes.writers.animation.Animation
+import dev.lazyz.scenes.writers.animation.AnimationFiles
 import dev.lazyz.server.Client
 import dev.lazyz.server.RenderServer
 import dev.lazyz.server.ServerConfig
 import dev.lazyz.shared.PictureWords
 import dev.lazyz.strategies.tiled.TiledRenderer
+import dev.lazyz.world.View
 import java.io.ByteArrayOutputStream
 import java.net.URLEncoder
 import java.nio.file.Path
 import java.util.zip.ZipEntry
 import java.util.zip.ZipOutputStream
 import javax.imageio.ImageIO
+import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
 import org.junit.jupiter.api.AfterAll
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -127,6 +135,59 @@ class ParametersTest {
         refused(422, "no file in it is a model", "", zip("a.png" to ""))
         refused(422, "", "format=3mf", zip("a.obj" to WEDGE))
         refused(400, "a scene is no model", "format=scene", zip("a.obj" to WEDGE))
+    }
+
+    /** The bytes are those that the library writes. */
+    @Test
+    fun dataOfPixelsAndTurnsAreAnswers() {
+        val settings = usual.with(PictureParameters.AA, 2)
+        val loaded = Scenes.load(WEDGE.byteInputStream(), SceneFormat.OBJ)
+        fun answer(query: String) = client.post("/render?size=40x30&aa=2&$query", WEDGE.toByteArray())
+
+        val data = answer("aov=normal,depth")
+        val aovs = settings.frame(loaded).render(TiledRenderer(), { _, _, _, _ -> }, setOf(Aov.DEPTH, Aov.NORMAL))
+        val expected = ByteArrayOutputStream().also { AovFiles.writeArchive(it, aovs.images) }.toByteArray()
+        assertEquals("application/zip", data.headers().firstValue("content-type").get())
+        assertTrue(data.headers().firstValue("etag").get().endsWith("-depth-normal\"")) { "${data.headers()}" }
+        assertArrayEquals(expected, data.body())
+
+        val turn = answer("turntable=3&frames-per-second=5&zoom=2")
+        val turntable = settings.with(PictureParameters.ZOOM, 2.0).turntable(loaded, 3)
+        val file = folder.resolve("turn.png")
+        AnimationFiles.write(file, Animation(40, 30, 3, 5, turntable.frame(0).alpha)) { sink ->
+            for (step in 0 until 3) turntable.frame(step).render(TiledRenderer(), sink)
+        }
+        assertEquals("image/apng", turn.headers().firstValue("content-type").get())
+        assertEquals("true", turn.headers().firstValue("lazyz-cropped").get())
+        assertArrayEquals(file.readBytes(), turn.body())
+
+        val views = answer("views=top,front&background=tan")
+        val tan = settings.withWord(PictureParameters.BACKGROUND, "tan")
+        val sheet = ContactSheet.of(tan, listOf("top", "front"))
+        for ((cell, view) in listOf(View.TOP, View.FRONT).withIndex()) {
+            sheet.put(cell, tan.with(PictureParameters.VIEW, view).frame(loaded).render(TiledRenderer()).argb)
+        }
+        assertTrue(views.headers().firstValue("etag").get().endsWith("-top-front\"")) { "${views.headers()}" }
+        assertArrayEquals(ByteArrayOutputStream().also { sheet.write(it) }.toByteArray(), views.body())
+
+        val mistakes = mapOf(
+            "views=top,down" to "views: 'down' is not one of front, back",
+            "views=top&view=iso" to "views cannot be combined with view",
+            "views=top&aov=depth" to "aov cannot be combined with views",
+            "aov=depth,deep" to "aov: 'deep' is not one of depth, normal",
+            "aov=shading-calls" to "aov: 'shading-calls' is not one of",
+            "turntable=1" to "turntable: '1' is no whole number in 2..3600",
+            "turntable=x" to "turntable: 'x' is no",
+            "turntable=1000&size=200" to "at most 16777216 pixels in all: 200x200, 1000 times",
+            "turntable=3&aov=depth" to "aov cannot be combined with turntable",
+            "turntable=3&eye=1,2,3" to "turntable cannot be combined with eye",
+            "frames-per-second=5" to "frames-per-second needs turntable",
+            "turntable=3&frames-per-second=51" to "frames-per-second: '51' is no whole number in 1..50",
+        )
+        for ((query, message) in mistakes) {
+            val text = answer(query).run { "${statusCode()} ${body().decodeToString()}" }
+            assertTrue(text.startsWith("400 ") && message in text) { "$query: $text" }
+        }
     }
 
     private companion object {

@@ -21,8 +21,8 @@ class RenderQueueTest {
     private val ended = LinkedBlockingQueue<QueuedJob.Outcome>()
     private val release = CountDownLatch(1)
     private val released = AtomicInteger()
-    private val picture =
-        RenderedPicture(RenderedPicture.Bytes().apply { write(ByteArray(7)) }, "tag", emptyList(), null, false)
+    private val file = RenderedPicture.Bytes().apply { write(ByteArray(7)) }
+    private val picture = RenderedPicture(file, "image/png", "tag", emptyList(), null, false)
 
     @AfterEach
     fun close() = queue.close()

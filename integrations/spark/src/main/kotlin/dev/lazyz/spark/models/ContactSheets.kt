@@ -1,8 +1,8 @@
 package dev.lazyz.spark.models
 
-import dev.lazyz.scenes.pictures.Canvas
-import dev.lazyz.scenes.pictures.PixelFont
-import dev.lazyz.scenes.writers.toPng
+import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.sheets.ContactSheet
+import java.io.ByteArrayOutputStream
 import java.io.Serializable
 import java.nio.ByteBuffer
 import org.apache.spark.api.java.function.MapFunction
@@ -43,38 +43,18 @@ internal class ContactSheets(
 
     private fun sheet(number: Long, cells: Iterator<Row>): Row {
         val byPlace = cells.asSequence().associateBy { it.getInt(1) }
-        val filled = (byPlace.keys.max() / columns + 1).coerceAtMost(rows)
-        val canvas = Canvas(columns * (width + GAP) + GAP, filled * (height + LABEL + GAP) + GAP, WHITE)
-        val names = (0..byPlace.keys.max()).map { place ->
-            val cell = byPlace.getValue(place)
-            val x = GAP + place % columns * (width + GAP)
-            val y = GAP + place / columns * (height + LABEL + GAP)
-            val pixels = cell.getAs<ByteArray?>(3)
-            if (pixels == null) canvas.text(FAILED, x, y + height / 2, 1, BLACK) else canvas.draw(pixels, x, y)
-            val name = cell.getString(2)
-            canvas.text(name.substringAfterLast('/').take(width / PixelFont.ADVANCE), x, y + height + 2, 1, BLACK)
-            name
+        val names = (0..byPlace.keys.max()).map { byPlace.getValue(it).getString(2) }
+        val sheet = ContactSheet(ImageSize(width, height), names.map { it.substringAfterLast('/') }, columns, WHITE)
+        for ((place, cell) in byPlace) {
+            val pixels = cell.getAs<ByteArray?>(3) ?: continue
+            sheet.put(place, IntArray(width * height).also { ByteBuffer.wrap(pixels).asIntBuffer().get(it) })
         }
-        return RowFactory.create(number, canvas.toImage().toPng(), names.toTypedArray())
-    }
-
-    private fun Canvas.draw(pixels: ByteArray, x: Int, y: Int) {
-        val argb = ByteBuffer.wrap(pixels).asIntBuffer()
-        for (row in 0 until this@ContactSheets.height) {
-            for (column in 0 until this@ContactSheets.width) {
-                set(x + column, y + row, argb.get(row * this@ContactSheets.width + column))
-            }
-        }
+        val png = ByteArrayOutputStream().also { sheet.write(it) }.toByteArray()
+        return RowFactory.create(number, png, names.toTypedArray())
     }
 
     private companion object {
         const val serialVersionUID = 1L
-        const val GAP = 6
-
-        /** Rows of a cell's label. */
-        const val LABEL = PixelFont.HEIGHT + 4
-        const val FAILED = "failed"
-        const val BLACK = 0xFF shl 24
         const val WHITE = -1
 
         val CELLS: StructType = StructType().add("sheet", DataTypes.LongType).add("place", DataTypes.IntegerType)

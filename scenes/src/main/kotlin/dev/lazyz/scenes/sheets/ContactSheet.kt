@@ -1,28 +1,39 @@
-package dev.lazyz.cli.sheet
+package dev.lazyz.scenes.sheets
 
 import dev.lazyz.RowSink
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.pictures.PictureParameters
+import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.pictures.PixelFont
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.ImageFiles
+import dev.lazyz.scenes.writers.PngSink
+import java.io.IOException
+import java.io.OutputStream
 import java.nio.file.Path
 
 /**
- * One picture with many in cells, in rows from the top, each with a label below.
+ * One picture with many in cells, in rows from the top, each with a label below, as `zcli render --contact-sheet`
+ * writes it.
  *
- * Memory: 4 bytes for each pixel of a cell. [put] can be called from any thread.
+ * Memory: 4 bytes for each pixel of a cell. [put] and [fail] can be called from any thread.
  *
  * @param cell the size of each picture
  * @param labels the labels of the cells, in their order; they also say how many cells there are
  * @param columns cells in a row
  * @param background the colour between the cells, `0xAARRGGBB`
+ * @throws IllegalArgumentException if there are no columns
  */
-internal class ContactSheet(
+public class ContactSheet(
     private val cell: ImageSize,
     private val labels: List<String>,
     private val columns: Int,
     private val background: Int,
 ) {
+    init {
+        require(columns >= 1) { "columns must be at least 1: $columns" }
+    }
+
     private val cells = arrayOfNulls<IntArray>(labels.size)
     private val reasons = arrayOfNulls<String>(labels.size)
     private val scale = (cell.width / PIXELS_PER_SCALE).coerceIn(1, MAX_SCALE)
@@ -34,31 +45,58 @@ internal class ContactSheet(
     private val rows = (labels.size + columns - 1) / columns
     private val ink = if (isDark(background)) WHITE else BLACK
 
-    /** Pixels of the whole sheet. */
-    val width: Long = columns * pitchX.toLong() + gap
-    val height: Long = rows * pitchY.toLong() + gap
+    /** Columns of the whole sheet. */
+    public val width: Long = columns * pitchX.toLong() + gap
 
-    /** Whether a picture has arrived. */
-    val isEmpty: Boolean get() = cells.all { it == null }
+    /** Rows of the whole sheet. */
+    public val height: Long = rows * pitchY.toLong() + gap
+
+    /** Whether no picture has arrived. */
+    public val isEmpty: Boolean get() = cells.all { it == null }
 
     /** Sets why there is no picture for a cell, for which it is shown instead. */
-    fun fail(number: Int, reason: String) {
+    public fun fail(number: Int, reason: String) {
         synchronized(cells) { reasons[number] = reason }
     }
 
-    /** Sets the picture of a cell: pixels in rows from the top. A cell without a picture says that it failed. */
-    fun put(number: Int, argb: IntArray) {
+    /**
+     * Sets the picture of a cell: pixels in rows from the top. A cell without a picture says that it failed. The array
+     * is not copied.
+     *
+     * @throws IllegalArgumentException if it does not have one element for each pixel
+     */
+    public fun put(number: Int, argb: IntArray) {
         require(argb.size == cell.width * cell.height) { "a cell has ${cell.width}x${cell.height} pixels" }
         synchronized(cells) { cells[number] = argb }
     }
 
-    /** Writes the sheet to [path]. */
-    fun write(path: Path) {
+    /** Whether files need alpha. */
+    private val alpha: AlphaChannel
+        get() {
+            val isOpaque = background ushr 24 == 0xFF && cells.all { it == null || it.all { c -> c ushr 24 == 0xFF } }
+            return if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
+        }
+
+    /**
+     * Writes the sheet to an image file at [path], see [ImageFiles].
+     *
+     * @throws IOException if the file cannot be written
+     * @throws ArithmeticException if the sheet has more than 2^31-1 rows or columns
+     */
+    @Throws(InterruptedException::class, IOException::class)
+    public fun write(path: Path) {
         val (w, h) = Math.toIntExact(width) to Math.toIntExact(height)
-        val isOpaque = background ushr 24 == 0xFF && cells.all { it == null || it.all { c -> c ushr 24 == 0xFF } }
-        val alpha = if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
         ImageFiles.write(path, w, h, alpha = alpha) { sink -> writeRows(w, h, sink) }
     }
+
+    /** Writes the sheet to [output] as a PNG file, and closes it. Throws like the other [write]. */
+    @Throws(IOException::class)
+    public fun write(output: OutputStream) {
+        val (w, h) = Math.toIntExact(width) to Math.toIntExact(height)
+        PngSink(output, w, h, alpha).use { writeRows(w, h, it) }
+    }
+
+    override fun toString(): String = "ContactSheet(${labels.size} cells, $width x $height)"
 
     private fun writeRows(width: Int, height: Int, sink: RowSink) {
         val none = IntArray(width)
@@ -126,7 +164,7 @@ internal class ContactSheet(
         for (i in 0 until length) if (PixelFont.isSet(shown, i / size, letterRow)) row[start + i] = ink
     }
 
-    companion object {
+    public companion object {
         private const val GAP = 6
         private const val LABEL_MARGIN = 3
         private const val MAX_SCALE = 16
@@ -154,13 +192,33 @@ internal class ContactSheet(
          * Returns the number of columns for [count] cells, of which [group] each belong together: these are a row if
          * there are few; otherwise the sheet is about as wide as high.
          */
-        fun usualColumns(count: Int, group: Int, cell: ImageSize): Int {
+        @JvmStatic
+        public fun usualColumns(count: Int, group: Int, cell: ImageSize): Int {
             if (group in 2..MAX_GROUP && count > group) return group
             var columns = 1
             while (columns < count && columns * cell.width.toLong() < rows(count, columns) * cell.height.toLong()) {
                 columns++
             }
             return columns
+        }
+
+        /**
+         * Returns a sheet for pictures that [settings] describe: with their size and, between the cells, their
+         * background.
+         *
+         * @param columns cells in a row, or null for the usual number if [group] cells each belong together
+         */
+        @JvmStatic
+        @JvmOverloads
+        public fun of(
+            settings: PictureSettings,
+            labels: List<String>,
+            columns: Int? = null,
+            group: Int = 1,
+        ): ContactSheet {
+            val size = settings[PictureParameters.REGION]?.let { ImageSize(it.width, it.height) } ?: settings.size
+            val color = settings[PictureParameters.BACKGROUND]?.takeIf { it.gradient == null }?.color?.toArgb()
+            return ContactSheet(size, labels, columns ?: usualColumns(labels.size, group, size), color ?: WHITE)
         }
 
         private fun rows(count: Int, columns: Int) = (count + columns - 1) / columns
