@@ -1,5 +1,7 @@
 package dev.lazyz.sections
 
+import dev.lazyz.Checkpoint
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.geometry.FaceNormal
 import dev.lazyz.world.surface.Mesh
@@ -59,6 +61,7 @@ internal class MeshCut(private val mesh: Mesh, plane: SectionPlane) {
         var count = 0
         val outline = IntArray(4)
         for (i in triangles.indices step 3) {
+            if (Checkpoint.isDue(i)) endIfInterrupted()
             if (isRemoved(i)) continue
             var size = 0
             for (k in 0 until 3) {
@@ -107,6 +110,7 @@ internal class MeshCut(private val mesh: Mesh, plane: SectionPlane) {
      */
     fun addSegments(contours: Contours) {
         for (i in triangles.indices step 3) {
+            if (Checkpoint.isDue(i)) endIfInterrupted()
             if (isCeiling(i)) {
                 for (k in 0 until 3) contours.add(point(triangles[i + k]), point(triangles[i + (k + 1) % 3]))
                 continue

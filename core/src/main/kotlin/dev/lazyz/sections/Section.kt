@@ -1,6 +1,7 @@
 package dev.lazyz.sections
 
 import dev.lazyz.Rgba
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.geometry.FillRule
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
@@ -48,7 +49,10 @@ public class Section @JvmOverloads constructor(
     /**
      * Cuts [scene]. Caps come after all surfaces, in submission order. Lights and viewpoint are unchanged; a rule such
      * as `Camera.fit` shows what remains. Cost: linear in the size of the scene, for each plane.
+     *
+     * @throws InterruptedException if the calling thread is interrupted
      */
+    @Throws(InterruptedException::class)
     public fun of(scene: Scene): Section.Cut {
         val warnings = ArrayList<String>()
         val meshes = scene.surfaces.filterIsInstance<Mesh>()
@@ -69,12 +73,15 @@ public class Section @JvmOverloads constructor(
         surface
     }
 
-    private fun cut(surface: Surface, plane: SectionPlane): Surface? = when (surface) {
-        is Mesh -> MeshCut(surface, plane).kept()
-        is Polygon -> cut(surface, plane)
-        is Points -> SparseCut.of(surface, plane)
-        is Lines -> SparseCut.of(surface, plane)
-        else -> surface
+    private fun cut(surface: Surface, plane: SectionPlane): Surface? {
+        endIfInterrupted()
+        return when (surface) {
+            is Mesh -> MeshCut(surface, plane).kept()
+            is Polygon -> cut(surface, plane)
+            is Points -> SparseCut.of(surface, plane)
+            is Lines -> SparseCut.of(surface, plane)
+            else -> surface
+        }
     }
 
     private fun cut(polygon: Polygon, plane: SectionPlane): Polygon? {

@@ -59,6 +59,12 @@ class SectionTest {
     }
 
     @Test
+    fun anInterruptEndsCutting() {
+        Thread.currentThread().interrupt()
+        assertThrows(InterruptedException::class.java) { cut(listOf(Solids.cube()), SectionPlane.x(0.25)) }
+    }
+
+    @Test
     fun rule_10_5_aCubeIsCapped() {
         val half = cut(listOf(Solids.cube()), SectionPlane.x(0.25))
         assertEquals(emptyList<String>(), half.warnings)

@@ -5,10 +5,10 @@ import dev.lazyz.cli.image
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.zcli
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.sheets.ContactSheet
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.writeText
-import dev.lazyz.scenes.sheets.ContactSheet
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotEquals

@@ -43,11 +43,7 @@ public enum class Measure(public val id: String) {
     public val isCount: Boolean get() = this >= VERTICES
 }
 
-/**
- * The numbers of some [surfaces]. They do not depend on the order of triangles. Immutable.
- *
- * @throws InterruptedException if the thread is interrupted
- */
+/** The numbers of some [surfaces]. They do not depend on the order of triangles. Immutable. */
 public class ModelNumbers internal constructor(surfaces: List<Surface>) {
     private val values: Map<Measure, Double>
 

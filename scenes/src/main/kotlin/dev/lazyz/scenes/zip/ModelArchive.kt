@@ -16,6 +16,7 @@ import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.streaming.SpoolSpace
 import java.io.Closeable
 import java.io.IOException
+import java.nio.file.FileSystemException
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -218,7 +219,8 @@ public class ModelArchive private constructor(
             } catch (failure: Throwable) {
                 folder.toFile().deleteRecursively()
                 throw failure as? SceneFormatException ?: (failure as? IOException)?.let {
-                    SceneReadException(name, "it cannot be unpacked: ${it.message}", "pack it again", it)
+                    val reason = (it as? FileSystemException)?.reason ?: it.message
+                    SceneReadException(name, "it cannot be unpacked: $reason", "pack it again", it)
                 } ?: failure
             }
             return ModelArchive(folder, name, files)

@@ -9,6 +9,7 @@ import dev.lazyz.shared.PictureWords
 import dev.lazyz.world.surface.Mesh
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.Random
 import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import org.junit.jupiter.api.AfterEach
@@ -129,6 +130,28 @@ class ModelArchiveTest {
         Thread.currentThread().interrupt()
         refused(RawZip().add("a.obj", zeros, isPacked = true).bytes(), "interrupted")
         assertTrue(Thread.interrupted())
+    }
+
+    /** Whatever is damaged, there is a scene or a message. */
+    @Test
+    fun damagedArchivesAreRefusedOrRead() {
+        val text = obj("mtllib b.mtl\nusemtl b\nf 1/1 2/2 3/3\n")
+        val looks = "newmtl b\nmap_Kd picture.png\n".toByteArray()
+        val zip = RawZip().add("a.obj", text, isPacked = true).add("b.mtl", looks).add("picture.png", picture).bytes()
+        val random = Random(1)
+        var read = 0
+        repeat(2000) {
+            val damaged = zip.clone()
+            repeat(1 + random.nextInt(4)) { damaged[random.nextInt(damaged.size)] = random.nextInt().toByte() }
+            try {
+                open(damaged, LoadLimits(decodedBytes = 1L shl 20)).use { it.load() }
+                read++
+            } catch (refused: SceneFormatException) {
+                assertFalse("$spool" in refused.message.orEmpty(), refused.message)
+            }
+        }
+        assertTrue(read in 100..1900, "$read")
+        refused(RawZip().add("\u6728".repeat(240), obj()).bytes(), "it cannot be unpacked")
     }
 
     @Test

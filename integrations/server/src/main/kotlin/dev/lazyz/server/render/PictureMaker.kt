@@ -51,8 +51,8 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     private fun linesNeed(scene: Scene, request: PictureRequest): Long {
         val meshes = scene.surfaces.filterIsInstance<Mesh>()
         val edges = if (request.settings.hasEdges) meshes.sumOf { it.triangleCount * BYTES_PER_EDGED } else 0L
-        if (request.settings[PictureParameters.CUT] == null) return edges
-        return edges + meshes.sumOf { (it.triangleCount + it.vertexCount) * BYTES_PER_CUT }
+        val cuts = request.settings[PictureParameters.CUT].orEmpty().size
+        return edges + cuts * meshes.sumOf { (it.triangleCount + it.vertexCount) * BYTES_PER_CUT }
     }
 
     /**
