@@ -30,8 +30,8 @@ class MyRenderer : Renderer {
 internal fun PageShell.fill(commands: String) {
     val models = folder.resolve("models").createDirectories()
     models.wedge()
-    for (part in listOf(folder.resolve("part.stl"), folder.resolve("a.stl"), models.resolve("part.stl"))) {
-        part.writeText(STL)
+    for (part in listOf("part.stl", "a.stl", "old.stl", "new.stl", "models/part.stl")) {
+        folder.resolve(part).writeText(STL)
     }
     for (name in listOf("model.obj", "a.obj")) folder.wedge(name)
     folder.resolve("model.glb").writeBytes(glb())
