@@ -148,7 +148,7 @@ public class ModelDifference private constructor(
             }
             val changes = ByteArray(was.image.argb.size) { change(was, now, it).ordinal.toByte() }
             val whole = PartDifference("", old.scene.surfaces, new.scene.surfaces)
-            val parts = PartDifference.pairs(old.scene.surfaces, new.scene.surfaces)
+            val parts = PartDifference.pairs(old.scene.surfaces, new.scene.surfaces, whole)
             return ModelDifference(was.image, now.image, changes, was.isCropped || now.isCropped, whole, parts)
         }
 

@@ -195,14 +195,19 @@ public class PartDifference private constructor(
     override fun toString(): String = "PartDifference($name: $before, $after)"
 
     internal companion object {
-        fun pairs(before: List<Surface>, after: List<Surface>): List<PartDifference> {
+        /** Returns the parts of two models, of which [whole] has all numbers. */
+        fun pairs(before: List<Surface>, after: List<Surface>, whole: PartDifference): List<PartDifference> {
             val was = numbered(before)
             val now = numbered(after)
+
+            // One part is all
+            fun numbers(part: Surface?, all: List<Surface>, sum: ModelNumbers?) =
+                part?.let { if (all.size == 1) sum else ModelNumbers(listOf(it)) }
             return (was.keys + now.keys).map { (name, number) ->
                 val shown = name.ifEmpty { "unnamed" } + if (number == 0) "" else " (${number + 1})"
                 val key = name to number
                 PartDifference(
-                    shown, was[key]?.let { ModelNumbers(listOf(it)) }, now[key]?.let { ModelNumbers(listOf(it)) },
+                    shown, numbers(was[key], before, whole.before), numbers(now[key], after, whole.after),
                 )
             }
         }

@@ -128,7 +128,7 @@ internal class FileReferences(
 
     companion object {
         /** Remedy for a reference that leads out of the model's folder. */
-        private const val REMEDY =
+        const val REMEDY: String =
             "copy it there, or if the model can be trusted set LoadLimits.references (zcli: --allow-outside)"
 
         /** Maximum size of a file, because it must fit into an array. */

@@ -9,6 +9,7 @@ import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.formats.SceneReading
+import dev.lazyz.scenes.loading.FileReferences
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.pictures.PictureParameters
@@ -79,10 +80,13 @@ public class ModelArchive private constructor(
     }
 
     /** Returns [failure] with the names of the archive in place of those of temporary files. */
-    public fun named(failure: SceneFormatException): SceneFormatException = SceneFormatException(
-        named(failure.source), failure.location?.let(::named), named(failure.problem), failure.remedy?.let(::named),
-        failure,
-    )
+    public fun named(failure: SceneFormatException): SceneFormatException {
+        val remedy = if (failure.remedy == FileReferences.REMEDY) "put it into the archive" else failure.remedy
+        return SceneFormatException(
+            named(failure.source), failure.location?.let(::named), named(failure.problem), remedy?.let(::named),
+            failure,
+        )
+    }
 
     private fun named(text: String): String = text.replace("$folder${folder.fileSystem.separator}", "")
         .replace("$folder", "the archive")

@@ -70,6 +70,13 @@ class ModelArchiveTest {
             val zip = RawZip().add("a.obj", obj("mtllib ../lazyz-outside/b.mtl\nusemtl b\nf 1 2 3\n")).bytes()
             val loaded = open(zip).use { it.load() }
             assertTrue(loaded.warnings.any { "lies outside the archive" in it }, "${loaded.warnings}")
+            val scene = """{"asset": {"version": "2.0"},
+                "buffers": [{"byteLength": 12, "uri": "../lazyz-outside/b.mtl"}],
+                "accessors": [{"bufferView": 0, "componentType": 5126, "count": 1, "type": "VEC3"}],
+                "bufferViews": [{"buffer": 0, "byteLength": 12}], "meshes": [{"primitives": [{"attributes":
+                {"POSITION": 0}}]}], "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0}"""
+            val gltf = RawZip().add("a.gltf", scene.toByteArray()).bytes()
+            refused(gltf, "b.mtl lies outside the archive; put it into the archive")
         } finally {
             spool.resolve("lazyz-outside").toFile().deleteRecursively()
         }
@@ -140,7 +147,7 @@ class ModelArchiveTest {
         val zip = RawZip().add("a.obj", text, isPacked = true).add("b.mtl", looks).add("picture.png", picture).bytes()
         val random = Random(1)
         var read = 0
-        repeat(2000) {
+        repeat(500) {
             val damaged = zip.clone()
             repeat(1 + random.nextInt(4)) { damaged[random.nextInt(damaged.size)] = random.nextInt().toByte() }
             try {
@@ -150,7 +157,7 @@ class ModelArchiveTest {
                 assertFalse("$spool" in refused.message.orEmpty(), refused.message)
             }
         }
-        assertTrue(read in 100..1900, "$read")
+        assertTrue(read in 20..480, "$read")
         refused(RawZip().add("\u6728".repeat(240), obj()).bytes(), "it cannot be unpacked")
     }
 
