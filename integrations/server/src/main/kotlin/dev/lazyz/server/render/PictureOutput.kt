@@ -16,10 +16,14 @@ import dev.lazyz.scenes.writers.PngSink
 import dev.lazyz.scenes.writers.animation.Animation
 import dev.lazyz.scenes.writers.animation.ApngSink
 import java.io.OutputStream
+import java.security.DigestOutputStream
+import java.security.MessageDigest
+import java.util.HexFormat
 
 /** Renders what [request] asks for, and writes it to [file]: a picture, an animation, or data of pixels. */
 internal class PictureOutput(private val file: OutputStream, private val request: PictureRequest) {
     private val hash = PixelHash()
+    private val data = MessageDigest.getInstance("SHA-256")
     private lateinit var size: ImageSize
     private lateinit var rows: VisibleRows
     private var animation: ApngSink? = null
@@ -45,12 +49,13 @@ internal class PictureOutput(private val file: OutputStream, private val request
             else -> "image/png"
         }
 
-    /** Names what was written by pixels; width and height are not part of the hash. Call it once, at the end. */
+    /** Names what was written by pixels or data; width and height are no part of the hash. Call it once, at the end. */
     val tag: String
         get() {
             val turn = request.steps?.let { listOf(it, request.framesPerSecond) }.orEmpty()
             val words = request.aovs.sorted().map(Aov::id) + request.views.map { it.name.lowercase() }
-            val parts = listOf(size, hash.digest()) + turn + words
+            val digest = if (request.aovs.isEmpty()) hash.digest() else HexFormat.of().formatHex(data.digest())
+            val parts = listOf(size, digest) + turn + words
             return parts.joinToString("-")
         }
 
@@ -64,7 +69,7 @@ internal class PictureOutput(private val file: OutputStream, private val request
         fragments += when {
             request.aovs.isNotEmpty() -> {
                 val aovs = frame.render(renderer, seen { _, _, _, _ -> }, request.aovs)
-                AovFiles.writeArchive(file, aovs.images)
+                AovFiles.writeArchive(DigestOutputStream(file, data), aovs.images)
                 aovs.counters
             }
             request.steps != null -> turned(frame, renderer)

@@ -151,6 +151,16 @@ class ParametersTest {
         assertTrue(data.headers().firstValue("etag").get().endsWith("-depth-normal\"")) { "${data.headers()}" }
         assertArrayEquals(expected, data.body())
 
+        // Data differ although pixels are the same
+        val farther = WEDGE.replace(" 0\n", " 7\n").replace(" 1\n", " 8\n")
+        for ((query, isSame) in mapOf("view=front" to true, "view=front&aov=position" to false)) {
+            val tags = listOf(WEDGE, farther).map { model ->
+                val seen = client.post("/render?size=40x30&projection=orthographic&$query", model.toByteArray())
+                seen.headers().firstValue("etag").get()
+            }
+            assertEquals(isSame, tags[0] == tags[1]) { "$query: $tags" }
+        }
+
         val turn = answer("turntable=3&frames-per-second=5&zoom=2")
         val turntable = settings.with(PictureParameters.ZOOM, 2.0).turntable(loaded, 3)
         val file = folder.resolve("turn.png")
