@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** Contract rule 2.8: custom primitives and surfaces. */
 class OwnPrimitiveTest {
@@ -71,8 +71,7 @@ class OwnPrimitiveTest {
             disk.samplesByCursor(raster, 7).also {
                 for (y in 0 until 7) {
                     for (x in 0 until 16) {
-                        it[x, y] =
-                            expected[x, y]
+                        it[x, y] = expected[x, y]
                     }
                 }
             }
@@ -137,7 +136,7 @@ class OwnPrimitiveTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aSurfaceOfOnesOwnAnswersForItself() {
         // Its material decides about exposure, sections and shadows
         val metal = Scene(listOf(Flag(Material().asMetallicRoughness().withSides(Sides.FRONT))))

@@ -25,9 +25,7 @@ object SampleScenes {
         Vector3d(0.3, 0.4, 5.0), Vector3d(0.0, 0.0, 0.0), Vector3d(0.0, 1.0, 0.0), 40.0, 1.0, 20.0,
     )
 
-    val checks: Texture = Texture(
-        2, 2, intArrayOf(-0x1, 0x40ff0000, 0x4000ff00, -0xffff01), Texture.Filter.NEAREST,
-    )
+    val checks: Texture = Texture(2, 2, intArrayOf(-0x1, 0x40ff0000, 0x4000ff00, -0xffff01), Texture.Filter.NEAREST)
 
     /** A mesh of random triangles with all attributes; some extend behind the camera or beyond the far plane. */
     fun soup(random: Random, triangles: Int, material: Material, reach: Double = 3.0): Mesh {

@@ -18,19 +18,10 @@ class TextbookExampleTest {
     private fun unit(depth: Double): Double = Depth.toUnit(Depth.NEAR + ((depth + 1) * STEP).toInt())
 
     /** The upper three rows, at depth 3. */
-    private val a = doubleArrayOf(
-        0.0, 0.0, unit(3.0),
-        4.0, 0.0, unit(3.0),
-        4.0, 3.0, unit(3.0),
-        0.0, 3.0, unit(3.0),
-    )
+    private val a = doubleArrayOf(0.0, 0.0, unit(3.0), 4.0, 0.0, unit(3.0), 4.0, 3.0, unit(3.0), 0.0, 3.0, unit(3.0))
 
     /** The triangle below the diagonal, with depth 3 at the samples of the first row and 0 at those of the last. */
-    private val b = doubleArrayOf(
-        4.0, 0.0, unit(3.5),
-        4.0, 4.0, unit(-0.5),
-        0.0, 4.0, unit(-0.5),
-    )
+    private val b = doubleArrayOf(4.0, 0.0, unit(3.5), 4.0, 4.0, unit(-0.5), 0.0, 4.0, unit(-0.5))
 
     private fun image(vararg contours: DoubleArray): Image {
         val builder = FrameBuilder(raster)

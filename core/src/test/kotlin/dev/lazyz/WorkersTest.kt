@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** The calling thread and helpers from any executor do each part of the work once, and stop when they must. */
 class WorkersTest {
@@ -207,6 +208,7 @@ class WorkersTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aFrameAndItsPictureAreMadeByTheCallersThreads() {
         val side = 200
         val positions = FloatArray(3 * side * side) {

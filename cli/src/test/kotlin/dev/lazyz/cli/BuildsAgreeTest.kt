@@ -192,10 +192,10 @@ class BuildsAgreeTest {
 
     @Test
     fun jvmsOfTests() {
-        val maven = surefire.child("configuration").value("forkCount")
+        val properties = pom.child("properties")
+        val maven = properties.value("test.jvms")
         assertEquals(maven, Regex("""maxParallelForks = (\d+)""").find(gradleRoot)?.groupValues?.get(1))
         val options = Regex("""\bjvmArgs\((.*)\)""").findAll(gradleRoot).flatMap { quoted(it.groupValues[1]) }
-        val properties = pom.child("properties")
         val line = properties.value("argLine").replace("\${test.compiler}", properties.value("test.compiler"))
         assertEquals(line.split(" "), options.toList())
     }

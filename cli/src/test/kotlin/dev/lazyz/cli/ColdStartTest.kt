@@ -7,12 +7,14 @@ import kotlin.io.path.readLines
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /**
  * Loading classes is most of the time of a start of zcli. Rendering a built-in scene to PNG must not load large
  * libraries.
  */
+@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
 class ColdStartTest {
     @TempDir
     lateinit var folder: Path

@@ -11,9 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource
 
 class CommandLineTest {
     @Test
-    fun aloneItPrintsHelp() {
-        assertEquals(zcli("--help").done().text, zcli().done().text)
-    }
+    fun aloneItPrintsHelp() = assertEquals(zcli("--help").done().text, zcli().done().text)
 
     @ParameterizedTest
     @ValueSource(strings = ["", "render", "compare", "scenes", "strategies"])
@@ -60,9 +58,7 @@ class CommandLineTest {
     }
 
     @Test
-    fun version() {
-        assertEquals("zcli ${Version.text}\n", zcli("--version").done().text)
-    }
+    fun version() = assertEquals("zcli ${Version.text}\n", zcli("--version").done().text)
 
     @Test
     fun scenesAreListedALineEach() {

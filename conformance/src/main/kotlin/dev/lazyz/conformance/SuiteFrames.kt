@@ -47,8 +47,7 @@ public object SuiteFrames {
 
     /** Streamed meshes, some of them translucent if the renderer blends. */
     @JvmStatic
-    public fun streamed(salt: Long, canBlend: Boolean): Frame =
-        streamedAndWhole(salt, canBlend).first
+    public fun streamed(salt: Long, canBlend: Boolean): Frame = streamedAndWhole(salt, canBlend).first
 
     /** A primitive of more than 16,384 spans in a row. */
     @JvmStatic

@@ -16,6 +16,7 @@ import dev.lazyz.conformance.frames.TiedCases
 import dev.lazyz.conformance.frames.TranslucentCases
 import dev.lazyz.conformance.frames.WorldCases
 import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.shared.NotByDefault
 import dev.lazyz.strategies.Renderers
 import java.util.Random
 import java.util.function.Predicate
@@ -25,6 +26,7 @@ import net.jqwik.api.ArbitrarySupplier
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
+import net.jqwik.api.lifecycle.AddLifecycleHook
 import net.jqwik.api.statistics.Statistics
 import org.junit.jupiter.api.Assertions.assertTrue
 
@@ -52,6 +54,7 @@ class StrategiesAgreeProperties {
 
     /** Rasters of several tiles and subdivisions, and enough primitives to hide each other. */
     @Property(tries = 50, seed = SEED, edgeCases = EdgeCasesMode.NONE)
+    @AddLifecycleHook(NotByDefault::class)
     fun rule_7_1_onLargerFrames(@ForAll(supplier = LargerCases::class) case: FrameCase, @ForAll salt: Long) =
         agree(case, salt)
 

@@ -65,8 +65,8 @@ object PictureWords {
 
     /**
      * Combinations of [names], each of which has values in [all]: every value alone, also those that mean nothing, and
-     * with a few other parameters, chosen by steps of a prime number through the list. By default a third of these, with
-     * `-Dlazyz.effort=rest` the others, with `full` all.
+     * with a few other parameters, chosen by steps of a prime number through the list. By default each twelfth of these,
+     * with `-Dlazyz.effort=rest` each second, which has other words of all parameters, with `full` all.
      */
     fun combinations(names: List<String>): List<Map<String, String>> {
         val alone = names.flatMap { name -> all.getValue(name).map { mapOf(name to it) } }
@@ -79,7 +79,7 @@ object PictureWords {
         return (alone + pairs).filterIndexed { i, _ ->
             when (System.getProperty("lazyz.effort")) {
                 null -> i % PARTS == 0
-                "rest" -> i % PARTS != 0
+                "rest" -> i % 2 == 1
                 else -> true
             }
         }
@@ -106,5 +106,5 @@ object PictureWords {
 
     private const val PAIRS = 3
     private const val PRIME = 7
-    private const val PARTS = 3
+    private const val PARTS = 12
 }

@@ -26,7 +26,6 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** AOVs are the same bits for every renderer, number of threads and region; counts add up to the counters. */
@@ -113,7 +112,7 @@ class AovStrategiesTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun thePictureAndTheCountersAreTheUsualOnes() {
         for (frame in frames()) {
             for (renderer in renderers(frame)) {

@@ -256,9 +256,7 @@ class EdgeDrawingTest {
     fun rule_10_2_facesThatTouchAnEdgeDoNotHideIt() {
         val base = Solids.box(-1.5f, -1f, -1f, 1.5f, 0f, 1f, plain)
         val top = Solids.box(-0.5f, 0f, -0.5f, 0.5f, 1f, 0.5f, plain)
-        val camera = Camera.orthographic(
-            Vector3d(3.0, 5.0, 8.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 5.0, 1.0, 20.0,
-        )
+        val camera = Camera.orthographic(Vector3d(3.0, 5.0, 8.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 5.0, 1.0, 20.0)
         val image = render(listOf(base, top), EdgeStyle(width = 1.5), camera, 200)
         val setUp = SetUp(Raster(200, 200), camera, emptyList())
         for (step in 0..100) {

@@ -75,7 +75,7 @@ class AmbientOcclusionTest {
 
     /** A point next to a wall sees half of the sky. */
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aHighWallHidesHalfOfTheSky() {
         val seen = upward(listOf(floor(0.1f), wall(10f)), 0.5f, 0f, 0f)
         assertEquals(0.5f, seen, 0.03f)
@@ -209,7 +209,7 @@ class AmbientOcclusionTest {
 
     /** A scene without height or width, and a single point, have shadows of nothing. */
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun flatScenesAreComputed() {
         val flat = listOf(floor(1f), wall(1f), Points(floatArrayOf(1f, 2f, 3f)), floor(0f))
         for (surface in flat) {

@@ -29,10 +29,7 @@ class ChainTest {
     @Test
     fun stagesStandInSubmissionOrderFromTheirFirstRowToTheirLast() {
         val stages = walk(frame(6, 2..3, 0..5, 1..2, 2..2, 1..1)).map { it.first }
-        assertEquals(
-            listOf(listOf(1), listOf(1, 2, 4), listOf(0, 1, 2, 3), listOf(0, 1), listOf(1), listOf(1)),
-            stages,
-        )
+        assertEquals(listOf(listOf(1), listOf(1, 2, 4), listOf(0, 1, 2, 3), listOf(0, 1), listOf(1), listOf(1)), stages)
     }
 
     @Test

@@ -27,7 +27,6 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class RenderPlannerTest {
@@ -59,6 +58,7 @@ class RenderPlannerTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun tiledNeedsNoMoreThanTheBounds() {
         for (scene in scenes) {
             for ((width, height) in listOf(320 to 200, 33 to 400, 700 to 20)) {
@@ -162,7 +162,7 @@ class RenderPlannerTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aStreamedFrameIsRenderedInBandsThatFit() {
         val scene = Scene(listOf(StreamedMesh(streamed))).withViewpoint(SampleScenes.camera)
         val frame = SuperSampling.NONE.frame(scene, Raster(1_000, 3_000))

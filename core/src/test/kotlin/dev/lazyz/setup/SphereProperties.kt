@@ -72,11 +72,7 @@ class SphereProperties {
             val one = BigDecimal.ONE
             val (cx, cy, cz) = listOf(big(c.x()), big(c.y()), big(c.z()))
             return if (isPerspective) {
-                Triple(
-                    px * cx + py * cy - cz,
-                    cx * cx + cy * cy + cz * cz - radius * radius,
-                    px * px + py * py + one,
-                )
+                Triple(px * cx + py * cy - cz, cx * cx + cy * cy + cz * cz - radius * radius, px * px + py * py + one)
             } else {
                 Triple(-cz, (px - cx) * (px - cx) + (py - cy) * (py - cy) + cz * cz - radius * radius, one)
             }

@@ -17,8 +17,7 @@ import org.junit.jupiter.api.Test
 
 /** The triangles of a batch are equal to the primitives that its mesh gives one by one. */
 class TriangleBatchTest {
-    private val flat =
-        Camera.orthographic(Vector3d(0.3, 0.4, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 4.0, 1.0, 20.0)
+    private val flat = Camera.orthographic(Vector3d(0.3, 0.4, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 4.0, 1.0, 20.0)
 
     /** Tilted, and not looking at the origin: no element of its matrix is 0. */
     private val tilted =

@@ -50,11 +50,7 @@ class BatchLightingTest {
     private fun material(shading: Shading): Material {
         var material = Material(
             color(), null, shading,
-            if (random.nextInt(4) == 0) {
-                Rgba.BLACK
-            } else {
-                color()
-            },
+            if (random.nextInt(4) == 0) Rgba.BLACK else color(),
             1 + random.nextInt(70), color(),
             AlphaMode.entries[random.nextInt(3)],
         )
@@ -89,9 +85,7 @@ class BatchLightingTest {
             batch.tangentX, batch.tangentY, batch.tangentZ, batch.tangentW,
         )
         for (array in signed) for (i in 0 until count) array[i] = random.nextGaussian().toFloat()
-        val unsigned = listOf(
-            batch.u, batch.v, batch.vertexRed, batch.vertexGreen, batch.vertexBlue, batch.vertexAlpha,
-        )
+        val unsigned = listOf(batch.u, batch.v, batch.vertexRed, batch.vertexGreen, batch.vertexBlue, batch.vertexAlpha)
         for (array in unsigned) for (i in 0 until count) array[i] = random.nextFloat()
         return batch
     }
@@ -180,11 +174,7 @@ class BatchLightingTest {
             val visibility =
                 if (random.nextBoolean()) {
                     AmbientVisibility { _, _, _, nx, _, _ ->
-                        if (nx > 0f) {
-                            0.3f
-                        } else {
-                            0.6f
-                        }
+                        if (nx > 0f) 0.3f else 0.6f
                     }
                 } else {
                     null

@@ -24,6 +24,7 @@ import org.junit.jupiter.api.condition.EnabledIfSystemProperty
  * How much processor time the threads of the library take after an interrupt, while they set up, sort, draw, shade and
  * filter. The promise is 100 ms. Not the clock on the wall: the machine may be busy.
  */
+@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
 class InterruptTimesTest {
     private val threads = ManagementFactory.getThreadMXBean()
 

@@ -77,13 +77,7 @@ internal class WorkedExample(
         const val STEP = 1 shl 27
 
         /** Returns a rectangle whose depth is [left] at its left side and [right] at its right side. */
-        fun rectangle(
-            name: Char,
-            columns: IntRange,
-            rows: IntRange,
-            left: Double,
-            right: Double = left,
-        ): Shape {
+        fun rectangle(name: Char, columns: IntRange, rows: IntRange, left: Double, right: Double = left): Shape {
             val x0 = columns.first.toDouble()
             val x1 = columns.last + 1.0
             val y0 = rows.first.toDouble()

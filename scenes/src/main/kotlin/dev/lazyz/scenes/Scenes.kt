@@ -45,8 +45,7 @@ public object Scenes {
     @JvmStatic
     @JvmOverloads
     @Throws(SceneFormatException::class)
-    public fun load(path: Path, limits: LoadLimits = LoadLimits()): LoadedScene =
-        load(path, LoadOptions(limits))
+    public fun load(path: Path, limits: LoadLimits = LoadLimits()): LoadedScene = load(path, LoadOptions(limits))
 
     /**
      * Reads the scene in a file with the given [options].
@@ -248,4 +247,25 @@ public object Scenes {
      */
     @JvmStatic
     public fun leastMemory(format: SceneFormat?, bytes: Long): Long = SceneFormat.memoryPerByte(format) * bytes
+}
+
+/**
+ * A built-in scene, for trying out the library without a file; see [Scenes.builtins].
+ *
+ * Immutable and thread safe.
+ *
+ * @property id lower-case name, used on command lines and in scene files
+ * @property summary what the scene shows, in one line
+ * @property size the image size that the scene was composed for; any other size works too
+ */
+public class Builtin internal constructor(
+    public val id: String,
+    public val summary: String,
+    public val size: ImageSize,
+    private val make: () -> Scene,
+) {
+    /** Creates the scene: surfaces, lights, camera and background. Cost: each call creates all surfaces again. */
+    public fun scene(): Scene = make()
+
+    override fun toString(): String = "Builtin($id: $summary)"
 }

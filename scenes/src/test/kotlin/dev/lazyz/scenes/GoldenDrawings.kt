@@ -26,9 +26,7 @@ internal object GoldenDrawings {
     private val camera = Camera.orthographic(
         Vector3d(3.0, 4.0, 6.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 4.4, 1.0, 20.0,
     )
-    private val near = Camera.perspective(
-        Vector3d(1.5, 2.5, 4.5), Vector3d(), Vector3d(0.0, 1.0, 0.0), 45.0, 1.0, 20.0,
-    )
+    private val near = Camera.perspective(Vector3d(1.5, 2.5, 4.5), Vector3d(), Vector3d(0.0, 1.0, 0.0), 45.0, 1.0, 20.0)
 
     val all: Map<String, () -> Scene> = mapOf(
         "sparse" to { Scene(sparse(), viewpoint = near, background = Rgba(0.1f, 0.1f, 0.2f)) },

@@ -189,10 +189,7 @@ class LoadLimitsTest {
         val materials = textures.withIndex().joinToString("\n") { (i, texture) -> "newmtl m$i\nmap_Kd $texture" }
         Files.writeString(folder.resolve("a.mtl"), materials)
         val faces = textures.indices.joinToString("\n") { "usemtl m$it\nf 1/1 2/1 3/1" }
-        return Files.writeString(
-            folder.resolve("a.obj"),
-            "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n$faces\n",
-        )
+        return Files.writeString(folder.resolve("a.obj"), "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n$faces\n")
     }
 
     private companion object {

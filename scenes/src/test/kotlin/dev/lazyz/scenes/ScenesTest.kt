@@ -81,15 +81,9 @@ class ScenesTest {
     fun aSceneFileNamesItsMeshesRelativeToItself() {
         val inner = Files.createDirectory(folder.resolve("inner"))
         val missing = Files.writeString(inner.resolve("a.json"), sceneWith("b.obj"))
-        assertEquals(
-            "$missing, surfaces[0].mesh: the file b.obj is missing; put it into $inner",
-            message(missing),
-        )
+        assertEquals("$missing, surfaces[0].mesh: the file b.obj is missing; put it into $inner", message(missing))
         val absolute = Files.writeString(inner.resolve("c.json"), sceneWith("/b.obj"))
-        assertEquals(
-            "$absolute, surfaces[0].mesh: must be relative to the scene file: /b.obj",
-            message(absolute),
-        )
+        assertEquals("$absolute, surfaces[0].mesh: must be relative to the scene file: /b.obj", message(absolute))
     }
 
     private fun sceneWith(mesh: String): String = """{"lazyz": 1, "surfaces": [{"mesh": "$mesh"}]}"""

@@ -4,6 +4,7 @@ import com.github.ajalt.clikt.core.MultiUsageError
 import com.github.ajalt.clikt.core.NoSuchOption
 import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.output.ParameterFormatter
+import dev.lazyz.conformance.report.ShellWords
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.pictures.NoPictureException
 import java.io.IOException
@@ -95,4 +96,25 @@ internal object ExitCode {
 /** The version of zcli, from the manifest of the jar. */
 internal object Version {
     val text: String get() = Version::class.java.`package`?.implementationVersion ?: "(development)"
+}
+
+/** Command lines of zcli as text. */
+internal object CommandLine {
+    /** Returns the command with the words [args], as it is typed in a shell. */
+    fun of(args: List<String>): String = (listOf("zcli") + args).joinToString(" ", transform = ShellWords::quoted)
+
+    /** Returns [args] without the options [names], which have a value each, up to a word `--`. */
+    fun without(args: List<String>, names: Set<String>): List<String> {
+        val end = args.indexOf("--").let { if (it < 0) args.size else it }
+        val kept = ArrayList<String>()
+        var i = 0
+        while (i < end) {
+            val word = args[i++]
+            when {
+                word in names -> i++
+                names.none { word.startsWith(if (it.startsWith("--")) "$it=" else it) } -> kept.add(word)
+            }
+        }
+        return kept + args.drop(end)
+    }
 }

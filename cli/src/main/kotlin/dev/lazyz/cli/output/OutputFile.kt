@@ -4,6 +4,7 @@ import java.io.IOException
 import java.nio.file.FileSystemException
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.io.path.name
 
 /** Checks of a file before it is written, so that a mistake is reported before the work begins. */
 internal object OutputFile {
@@ -104,5 +105,70 @@ internal object OutputFile {
         val isReadOnly = Files.getFileStore(folder).isReadOnly
         val reason = if (isReadOnly) "the file system of $folder is read-only" else "no permission to write in $folder"
         throw Mistake("cannot write $path: $reason; choose another folder")
+    }
+}
+
+/**
+ * The existing files and folders that a command will replace, so that it does not replace what it reads.
+ *
+ * @param outputs the files that the command writes, and folders that it writes as a whole, each with its option
+ */
+internal class OutputPlaces(outputs: Iterable<Pair<String, Path>>) {
+    /** Options by the real paths of their files and folders. */
+    private val options: Map<Path, String> = outputs
+        .filter { (_, path) -> Files.isRegularFile(path) || Files.isDirectory(path) }
+        .associate { (option, path) -> path.toRealPath() to option }
+
+    /**
+     * Checks that none of the files [read] would be replaced.
+     *
+     * @param what what these files are, in the message
+     * @throws Mistake otherwise
+     */
+    fun requireNone(read: Iterable<Path>, what: String) {
+        for (file in read) {
+            val option = if (Files.isRegularFile(file)) optionOf(file.toRealPath()) else null
+            if (option != null) throw Mistake("$option would replace $what: $file; write to another file")
+        }
+    }
+
+    /** Returns the option whose output is, or has in it, the file at the real path [real], or null. */
+    private fun optionOf(real: Path): String? {
+        var place: Path? = real
+        while (place != null) {
+            options[place]?.let { return it }
+            place = place.parent
+        }
+        return null
+    }
+}
+
+/**
+ * Where a report goes, by the value [path] of [option]: a page `NAME.html` alone, or a folder, in which the page is
+ * `report.html`. A folder that does not exist has no extension.
+ *
+ * @throws Mistake if it is neither, or cannot be written
+ */
+internal class ReportPlace(path: Path, option: String) {
+    private val extension = path.name.drop(1).substringAfterLast('.', "")
+
+    /** The folder, or null if there is only the page. */
+    val folder: Path? = path.takeIf { Files.isDirectory(it) || !it.name.endsWith(HTML, ignoreCase = true) }
+
+    val page: Path = folder?.resolve("report$HTML") ?: path
+
+    init {
+        // The end of a version, as in report-1.2, is no extension
+        if (folder != null && !Files.isDirectory(folder) && extension.any { it.isLetter() }) {
+            throw Mistake("$option must be a page, NAME$HTML, or a folder, whose name has no extension: $path")
+        }
+        if (folder == null) OutputFile.check(page, option, listOf(HTML)) else OutputFile.requireFolderOrPlaceForIt(page)
+    }
+
+    companion object {
+        private const val HTML = ".html"
+
+        /** The help text of options whose value is such a place. */
+        const val HELP: String = "a page, NAME.html; or a folder, in which the page is report.html"
     }
 }

@@ -9,3 +9,36 @@ internal fun counted(number: Long, one: String, several: String = "${one}s"): St
 
 /** Returns [text] on one line, with `?` for control characters, which a terminal would execute. */
 internal fun printable(text: String): String = text.map { if (it.isISOControl()) '?' else it }.joinToString("")
+
+/** Formats and parses amounts of memory. */
+internal object Bytes {
+    private val units = listOf("bytes", "KiB", "MiB", "GiB", "TiB")
+    private val powers =
+        listOf(setOf("", "b", "bytes")) + listOf("k", "m", "g", "t").map { setOf(it, "${it}i", "${it}ib") }
+
+    /** Returns [bytes] in the largest unit in which the amount is at least 1, with one decimal: `5.9 GiB`. */
+    fun readable(bytes: Long): String {
+        var unit = 0
+        var tenths = bytes * 10
+        while (tenths >= 10 * 1024 && unit < units.size - 1) {
+            tenths /= 1024
+            unit++
+        }
+        return if (unit == 0) "$bytes bytes" else "${tenths / 10}.${tenths % 10} ${units[unit]}"
+    }
+
+    /**
+     * Returns the number of bytes that [text] means, or null if it is not an amount: an integer, alone or with k, m, g
+     * or t, or with KiB, MiB and so on, in steps of 1024. Amounts above [Long.MAX_VALUE] become [Long.MAX_VALUE]. `kB`
+     * is not accepted, because it may also mean 1000 bytes.
+     */
+    fun parse(text: String): Long? {
+        val digits = text.takeWhile { it in '0'..'9' }
+        val unit = text.substring(digits.length).removePrefix(" ").lowercase()
+        val power = powers.indexOfFirst { unit in it }
+        if (digits.isEmpty() || power < 0) return null
+        val shift = 10 * power
+        val number = digits.toLongOrNull() ?: Long.MAX_VALUE
+        return if (number > Long.MAX_VALUE shr shift) Long.MAX_VALUE else number shl shift
+    }
+}

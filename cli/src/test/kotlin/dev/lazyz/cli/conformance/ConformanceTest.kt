@@ -71,12 +71,10 @@ class ConformanceTest {
 
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
-    fun ourOwnAreJudgedByAllRules() {
-        assertTrue(" conforms: " in conformance("--strategy", "zbuffer").done().text)
-    }
+    fun ourOwnAreJudgedByAllRules() = assertTrue(" conforms: " in conformance("--strategy", "zbuffer").done().text)
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun mistakeIsReportedWithTheCommandThatShowsItAgain() {
         val jar = jar(FickleRenderer::class.java, StutteringRenderer::class.java)
         val report = folder.resolve("a report")
@@ -122,7 +120,7 @@ class ConformanceTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun waiversAreHeeded() {
         val jar = jar(StutteringRenderer::class.java)
         val file = folder.resolve("waivers.txt")
@@ -213,7 +211,7 @@ class ConformanceTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun strategyThatExitsGetsAVerdictAndTheOtherRulesAreTried() {
         val jar = jar(ExitingRenderer::class.java)
         val rules = arrayOf("--rule", ties, "--rule", "rule_9_6_framesWithoutPrimitivesShowTheBackground")

@@ -13,13 +13,13 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.BeforeEach
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.CsvSource
 
 /** Pages of `zcli` in a browser, on phones and desktops: nothing is loaded, too wide or broken. */
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
 class PagesInBrowserTest {
     @TempDir
     lateinit var folder: Path

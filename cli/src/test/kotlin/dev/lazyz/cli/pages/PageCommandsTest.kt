@@ -17,22 +17,17 @@ import org.junit.jupiter.api.io.TempDir
 
 /**
  * The commands of the pages succeed, each where it says, except those whose [note][FencedBlock.note] says that
- * `.ci/run` runs them, or why nobody does. By default only the first blocks of the pages that a newcomer reads are run,
- * with `-Dlazyz.effort=rest` all pages with others, and with `full` all.
+ * `.ci/run` runs them, or why nobody does. By default only the first block of the page of the command line is run,
+ * with `-Dlazyz.effort=rest` or `full` all are.
  */
 class PageCommandsTest {
     private val commands = FencedBlock.all.filter { it.language == "sh" }
 
-    private val effort: String? = System.getProperty("lazyz.effort")
-
     /** Returns those of the [blocks] of [page] that are run. Blocks use files of those before them on their page. */
-    private fun run(page: String, blocks: List<FencedBlock>): List<FencedBlock> {
-        val usual = if (page in NEWCOMERS) blocks.take(1) else emptyList()
-        return when {
-            effort == null -> usual
-            effort == "rest" && usual.size == blocks.size -> emptyList()
-            else -> blocks
-        }
+    private fun run(page: String, blocks: List<FencedBlock>): List<FencedBlock> = when {
+        System.getProperty("lazyz.effort") != null -> blocks
+        page == "docs/cli.md" -> blocks.take(1)
+        else -> emptyList()
     }
 
     private val here = commands.filter { it.note.isEmpty() }
@@ -88,8 +83,6 @@ class PageCommandsTest {
     }
 
     private companion object {
-        val NEWCOMERS = setOf("README.md", "docs/cli.md", "docs/memory.md")
-
         /** Parts of commands that would take long, and what is run for them. */
         val SMALLER = mapOf(
             "--turntable 120 --size 1920x1080" to "--turntable 12 --size 192x108",

@@ -10,7 +10,6 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
@@ -36,23 +35,17 @@ class MemoryOptionTest {
     }
 
     /**
-     * Words of the command, and amounts of memory in MiB. By default only the first one is tested, and with the effort
-     * `rest` the next two.
+     * Words of the command, and amounts of memory in MiB. With the effort `rest` the middle ones are tested.
      */
     private val pictures = listOf(
         listOf("teapot") to listOf(16, 40),
         listOf("hills.stl") to listOf(32, 128),
         listOf("hills.stl", "--stream", "--aa", "1", "--size", "2000x1500") to listOf(48, 112),
         listOf("city", "--size", "12000x300", "--aa", "1") to listOf(24, 64),
-    ).let {
-        when (System.getProperty("lazyz.effort")) {
-            null -> it.take(1)
-            "rest" -> it.subList(1, 3)
-            else -> it
-        }
-    }
+    ).let { if (System.getProperty("lazyz.effort") == "full") it else it.subList(1, 3) }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun eachPictureIsTheSameOrRefused() {
         model.writeBytes(Hills(400).stl())
         var rendered = 0
@@ -148,7 +141,7 @@ class MemoryOptionTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun thePlanIsExplained() {
         val result = render(64, "a.png", listOf("teapot", "--explain"))
         assertEquals(0, result.code, result.errors)

@@ -20,6 +20,7 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** The options give the pictures and the messages of the library. */
@@ -74,6 +75,7 @@ class ParameterOptionsTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun turntablesAreThoseOfTheLibrary() {
         val model = folder.resolve("a.stl").apply { writeBytes(Hills(9).stl()) }
         for (style in listOf(null, PictureStyle.PRODUCT)) {

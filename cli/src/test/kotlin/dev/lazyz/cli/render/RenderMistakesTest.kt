@@ -29,9 +29,7 @@ class RenderMistakesTest {
 
     private fun render(vararg options: Any): Zrun = zcli("render", folder.wedge(), *options)
 
-    private fun assertOnlyInput() {
-        assertEquals(listOf("wedge.obj"), folder.listDirectoryEntries().map { it.name })
-    }
+    private fun assertOnlyInput() = assertEquals(listOf("wedge.obj"), folder.listDirectoryEntries().map { it.name })
 
     @ParameterizedTest
     @CsvSource(

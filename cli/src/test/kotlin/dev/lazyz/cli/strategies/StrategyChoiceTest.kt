@@ -37,13 +37,10 @@ class StrategyChoiceTest {
 
     private fun withCapable(block: () -> Unit) = withRenderers(folder, CapableRenderer::class.java.name, block = block)
 
-    private fun assertNoPicture() =
-        assertEquals(listOf<String>(), folder.listDirectoryEntries("*.png").map { it.name })
+    private fun assertNoPicture() = assertEquals(listOf<String>(), folder.listDirectoryEntries("*.png").map { it.name })
 
     @Test
-    fun theFirstIsTakenIfNothingIsAsked() {
-        assertEquals(Renderers.all().first().id, strategyOf("teapot"))
-    }
+    fun theFirstIsTakenIfNothingIsAsked() = assertEquals(Renderers.all().first().id, strategyOf("teapot"))
 
     @Test
     fun theFirstThatHeedsTheFlagsIsTaken() {

@@ -80,9 +80,7 @@ class ShadingOrderTest {
     }
 
     @Test
-    fun hybridDiscardsWithABudget() {
-        assertTrue(order("hybrid", frames.getValue("layers"), budget = 0).discarded > 0)
-    }
+    fun hybridDiscardsWithABudget() = assertTrue(order("hybrid", frames.getValue("layers"), budget = 0).discarded > 0)
 
     /** Behind an opaque ball nothing counts; before it, all layers do. */
     @Test

@@ -117,7 +117,7 @@ class TraceTest {
         zcli("trace", "city").mistake("-o")
 
         // With 1000 steps both are too many: the film is refused before the calls are recorded
-        val large = arrayOf("--size", "9000x9000", "--shading", "constant", "--strategy", "zbuffer")
+        val large = arrayOf("--size", "6000x6000", "--shading", "constant", "--strategy", "zbuffer")
         trace("layers", "a.png", *large).mistake("more than 16,777,216 shading calls")
         trace("layers", "a.gif", *large, "--steps", "1000").mistake("and a film may use half of the")
         for (name in listOf("a.gif", "a.png")) assertFalse(file(name).exists())

@@ -1,6 +1,8 @@
 package dev.lazyz.conformance.cases
 
 import dev.lazyz.Frame
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.scenefile.SceneFile
@@ -9,6 +11,7 @@ import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Surface
+import org.joml.Vector3dc
 
 /**
  * A frame for testing a renderer. Its text is the Kotlin code that creates it.
@@ -61,3 +64,41 @@ public class FrameCase(public val frame: Frame, public val code: String) {
 /** Returns the frames among the [parameters] of a rule. */
 internal fun casesAmong(parameters: List<Any?>): List<FrameCase> =
     parameters.flatMap { if (it is List<*>) it else listOf(it) }.filterIsInstance<FrameCase>()
+
+/** A value and its Kotlin expression. */
+internal class Coded<out T>(val value: T, val code: String)
+
+/** Returns [value] as a Kotlin expression. */
+internal fun code(value: Double): String = when {
+    value.isNaN() -> "Double.NaN"
+    value.isInfinite() -> if (value > 0) "Double.POSITIVE_INFINITY" else "Double.NEGATIVE_INFINITY"
+    else -> value.toString()
+}
+
+/** Returns [value] as a Kotlin expression. */
+internal fun code(value: Float): String = when {
+    value.isNaN() -> "Float.NaN"
+    value.isInfinite() -> if (value > 0) "Float.POSITIVE_INFINITY" else "Float.NEGATIVE_INFINITY"
+    else -> "${value}f"
+}
+
+/** Returns [values] as a Kotlin expression. */
+internal fun code(values: FloatArray): String = values.joinToString(prefix = "floatArrayOf(", postfix = ")") {
+    code(it)
+}
+
+/** Returns [v] as a Kotlin expression. */
+internal fun code(v: Vector3dc): String = "Vector3d(${code(v.x())}, ${code(v.y())}, ${code(v.z())})"
+
+/** Returns [value] as a Kotlin expression. */
+internal fun code(value: Long): String = if (value == Long.MIN_VALUE) "Long.MIN_VALUE" else "${value}L"
+
+/** Returns [color] as a Kotlin expression. Its components must be finite. */
+internal fun code(color: Rgba): String = when (color) {
+    Rgba.WHITE -> "Rgba.WHITE"
+    else -> "Rgba(${color.red}f, ${color.green}f, ${color.blue}f, ${color.alpha}f)"
+}
+
+/** Returns [raster] as a Kotlin expression. */
+internal fun code(raster: Raster): String = "Raster(${raster.width}, ${raster.height}, ${code(raster.background)}, " +
+    "DepthConvention.${raster.convention}, DepthTest.${raster.depthTest}, ${raster.backgroundDepth})"

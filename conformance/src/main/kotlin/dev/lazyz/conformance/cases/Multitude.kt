@@ -65,8 +65,7 @@ internal class Multitude private constructor(width: Int, height: Int, private va
 
         override fun depth(x: Int, y: Int): Int = depth
 
-        override fun shade(fragment: Fragment): Unit =
-            with(color) { fragment.setColor(red, green, blue, alpha) }
+        override fun shade(fragment: Fragment): Unit = with(color) { fragment.setColor(red, green, blue, alpha) }
     }
 
     companion object {

@@ -167,9 +167,7 @@ public class FrameMix private constructor(
         layers: Int = this.layers,
         levels: Int = this.levels,
         translucentPercent: Int = this.translucentPercent,
-    ) = FrameMix(
-        weights, maxWidth, maxHeight, minPrimitives, maxPrimitives, layers, levels, translucentPercent,
-    )
+    ) = FrameMix(weights, maxWidth, maxHeight, minPrimitives, maxPrimitives, layers, levels, translucentPercent)
 
     override fun toString(): String = "FrameMix($weights, $maxWidth x $maxHeight, " +
         "$minPrimitives..$maxPrimitives primitives, $layers layers, $levels levels, $translucentPercent% translucent)"

@@ -124,11 +124,7 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
                 if (last > 0) cell.show(if (cell.shade(last).red > 0.5f) last else 0)
             },
         ) { seen ->
-            if (seen.size == 1) {
-                null
-            } else {
-                (if (seen.last().color.red > 0.5f) seen.last() else seen.first()).plain()
-            }
+            if (seen.size == 1) null else (if (seen.last().color.red > 0.5f) seen.last() else seen.first()).plain()
         }
 
         /** Calls `show` for several fragments, with and without colours, and finally for the one in the middle. */

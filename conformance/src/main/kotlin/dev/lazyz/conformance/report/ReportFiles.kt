@@ -71,8 +71,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
     private fun drawing(case: FrameCase, rule: SuiteRule): String {
         val part = case.frame.region
         val isWhole = part == case.frame.raster.region
-        val region =
-            if (isWhole) "" else " --region ${part.columnStart},${part.rowStart},${part.width}x${part.height}"
+        val region = if (isWhole) "" else " --region ${part.columnStart},${part.rowStart},${part.width}x${part.height}"
         return "zcli render $rule.json$region --strategy ${report.strategy.id} -o $rule.png"
     }
 
@@ -88,7 +87,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
         }
     }
 
-    private companion object {
+    companion object {
         /** The imports of a frame's code, see [FrameCase.code]. */
         val IMPORTS = listOf(
             "dev.lazyz.*", "dev.lazyz.Raster.DepthConvention", "dev.lazyz.conformance.SuiteFrames",
@@ -100,7 +99,7 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
             "dev.lazyz.world.surface.Polygon.Vertex", "org.joml.Vector3d",
         )
 
-        val ENDINGS = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png") +
+        private val ENDINGS = listOf(".kt", ".json", "-expected.png", "-actual.png", "-difference.png") +
             (1..RuleFailure.MOST_BEFORE).map { "-before-$it.kt" }
     }
 }

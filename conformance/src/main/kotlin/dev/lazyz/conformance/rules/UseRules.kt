@@ -1,15 +1,22 @@
 package dev.lazyz.conformance.rules
 
 import dev.lazyz.Capability
+import dev.lazyz.Frame
+import dev.lazyz.Region
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
+import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.changed.asOpaque
 import dev.lazyz.conformance.cases.changed.halves
+import dev.lazyz.conformance.cases.changed.within
 import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.SeveralCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.judgement.inTime
+import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.OutsideWitness
 import dev.lazyz.conformance.probes.Planted
 import dev.lazyz.conformance.probes.Question
@@ -18,11 +25,14 @@ import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.changed
 import dev.lazyz.conformance.probes.failsAsPlanned
 import dev.lazyz.conformance.probes.failsWithItsSelector
-import dev.lazyz.conformance.probes.framesAreRight
+import dev.lazyz.conformance.probes.leavesNothingBehind
 import dev.lazyz.conformance.probes.memory.keepsNothing
+import dev.lazyz.conformance.probes.memory.leavesNoObjects
+import dev.lazyz.conformance.probes.memory.leavesNoSizes
 import dev.lazyz.conformance.probes.tallMeshes
 import dev.lazyz.conformance.probes.threads.atOnce
 import dev.lazyz.conformance.probes.threads.endsInterrupted
+import dev.lazyz.strategies.lists.ListsRenderer
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
@@ -191,5 +201,64 @@ public sealed interface UseRules : RulesForOne {
     private companion object {
         /** Exclusive limit of the number of calls that a primitive answers before it throws. */
         const val MOST_CALLS = 20
+    }
+}
+
+/** Fails unless [renderer] renders [own] and its inner part correctly, both row by row and into memory. */
+internal fun framesAreRight(renderer: Renderer, own: FrameCase) {
+    val case = if (Capability.TRANSPARENCY in renderer.capabilities) own else own.opaque()
+    for (part in listOf(case, case.within(inner(case.frame)))) {
+        Judgement(renderer, part).equalsPictureOf(oracle(part.frame)).equalsItsImage().rowsInOrder()
+    }
+}
+
+private fun FrameCase.opaque(): FrameCase = if (frame.hasTranslucency) asOpaque() else this
+
+/** Returns the region without a quarter on each side, but at least one sample. */
+private fun inner(frame: Frame): Region = with(frame.region) {
+    val column = columnStart + width / 4
+    val row = rowStart + height / 4
+    Region(column, row, column + (width + 1) / 2, row + (height + 1) / 2)
+}
+
+/** Returns the reference renderer or, if that would take minutes, a renderer that is tested against it. */
+private fun oracle(frame: Frame): Renderer =
+    if (frame.region.size * frame.primitives.size <= MOST_FRAGMENTS) ReferenceRenderer() else ListsRenderer()
+
+private const val MOST_FRAGMENTS = 20_000_000L
+
+/** Rules about side effects of a rendering. Part of `RendererConformance`. */
+@Suppress("ktlint:standard:function-naming")
+public sealed interface TidyRules : RulesForOne {
+    /** A rendering leaves no output, no thread, no file and no changed global state. */
+    @Rule(
+        intent = "A library runs in its caller's process, and leaves nothing behind there.",
+        look = "Look for print statements, executors that are never shut down, temporary files and global settings.",
+    )
+    @Property(tries = 1)
+    public fun rule_7_9_renderingsLeaveNothingBehind() {
+        leavesNothingBehind { renderer() }
+        for (options in VARIED) leavesNothingBehind { renderer().let { it.configured(options.supportedBy(it)) } }
+    }
+
+    /** However often a renderer renders, and pictures of however many sizes, it holds no more memory. */
+    @Rule(
+        intent = "A renderer may be used a million times in a process, so not even a few bytes may remain each time.",
+        look = "Look for static collections, listeners, shutdown hooks and caches to which each rendering adds, " +
+            "and for pools of arrays by their length.",
+    )
+    @Property(tries = 1)
+    public fun rule_7_9_renderingsHoldNoMoreMemory() {
+        val renderer = renderer()
+        for (options in VARIED) leavesNoObjects(renderer, options.supportedBy(renderer))
+        leavesNoSizes(renderer, VARIED.first().supportedBy(renderer))
+    }
+
+    private companion object {
+        /** With several threads; and without any memory budget, where renderers take other code paths. */
+        val VARIED = listOf(
+            RenderOptions(threads = 2, tileSize = 8),
+            RenderOptions(Coherence.ADAPTIVE, 0L, threads = 2, tileSize = 8),
+        )
     }
 }

@@ -67,8 +67,7 @@ internal class Settings(
 
         private fun ownFrames(): FrameFolder? = frames()?.let { FrameFolder(it) }
 
-        fun waivers(): Waivers =
-            System.getProperty(Waivers.PROPERTY)?.let { Waivers.read(Path.of(it)) } ?: Waivers.NONE
+        fun waivers(): Waivers = System.getProperty(Waivers.PROPERTY)?.let { Waivers.read(Path.of(it)) } ?: Waivers.NONE
     }
 }
 

@@ -66,12 +66,7 @@ internal class ShrinkingEnds : Error("shrinking has ended") {
  * @param failure returns how a value fails, or null if it does not
  * @return the smallest value that was found to fail, and its failure
  */
-internal fun <T, F : Any> smallest(
-    whole: Shrinkable<T>,
-    first: F,
-    steps: Int,
-    failure: (T) -> F?,
-): Pair<T, F> {
+internal fun <T, F : Any> smallest(whole: Shrinkable<T>, first: F, steps: Int, failure: (T) -> F?): Pair<T, F> {
     var best = whole
     var why = first
     var tried = 0

@@ -7,17 +7,20 @@ import dev.lazyz.Renderer
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.TranslucentCases
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.shared.NotByDefault
 import dev.lazyz.strategies.Renderers
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
+import net.jqwik.api.lifecycle.AddLifecycleHook
 import org.junit.jupiter.api.Assertions.assertEquals
 
 /**
  * Contract rule 5.1: a frame may be rendered in parts, by primitives or by regions, by several renderers, and merged in
  * any order. Tests the laws of the minimum of a total order over random splits.
  */
+@AddLifecycleHook(NotByDefault::class)
 class PartsProperties {
     @Property(tries = 200, seed = SEED, edgeCases = EdgeCasesMode.NONE)
     fun rule_5_1_partsByPrimitivesMergeInAnyOrder(

@@ -24,6 +24,7 @@ import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.geometry.FillRule
 import dev.lazyz.scenes.scenefile.SceneFile
 import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.shared.NotByDefault
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
@@ -37,6 +38,7 @@ import net.jqwik.api.Arbitrary
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import net.jqwik.api.Provide
+import net.jqwik.api.lifecycle.AddLifecycleHook
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
@@ -56,6 +58,7 @@ class SceneFileFramesTest {
     }
 
     @Property(seed = "1995", tries = 150)
+    @AddLifecycleHook(NotByDefault::class)
     fun sceneFileIsTheFrame(@ForAll("cases") case: FrameCase, @ForAll salt: Long) {
         assertSame(case)
 

@@ -3,11 +3,14 @@ package dev.lazyz.conformance.frames
 import dev.lazyz.Frame
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.shared.NotByDefault
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Example
+import net.jqwik.api.lifecycle.AddLifecycleHook
 import org.junit.jupiter.api.Assertions.assertTrue
 
 /** Frames in screen space are dense: few are empty, most primitives cover something, and samples are covered often. */
+@AddLifecycleHook(NotByDefault::class)
 class DenseFramesTest {
     @Example
     fun framesOfTheRulesAreDense() {

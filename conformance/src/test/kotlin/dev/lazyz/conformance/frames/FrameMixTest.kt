@@ -3,9 +3,11 @@ package dev.lazyz.conformance.frames
 import dev.lazyz.conformance.cases.CodeReader
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.shared.NotByDefault
 import java.util.Random
 import net.jqwik.api.Example
 import net.jqwik.api.Shrinkable
+import net.jqwik.api.lifecycle.AddLifecycleHook
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -13,6 +15,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 /**
  * Each kind of frame often has the property that its name says. Frames shrink, and print the code that creates them.
  */
+@AddLifecycleHook(NotByDefault::class)
 class FrameMixTest {
     @Example
     fun usualMixIsFullOfDifficulties() {
@@ -194,10 +197,7 @@ class FrameMixTest {
         }
 
     private fun DoubleArray.length(): Double = edges().sumOf { (a, b) ->
-        Math.hypot(
-            b.first - a.first,
-            b.second - a.second
-        )
+        Math.hypot(b.first - a.first, b.second - a.second)
     }
 
     /** Returns whether the contour turns right, for each vertex. */

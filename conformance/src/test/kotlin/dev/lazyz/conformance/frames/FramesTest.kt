@@ -10,13 +10,17 @@ import dev.lazyz.conformance.frames.screen.ConfettiPiece
 import dev.lazyz.conformance.frames.screen.PolygonPiece
 import dev.lazyz.conformance.frames.screen.screenCase
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.conformance.report.ReportFiles
 import dev.lazyz.geometry.FillRule
 import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.shared.NotByDefault
 import dev.lazyz.spi.LinearForm
 import net.jqwik.api.Example
+import net.jqwik.api.lifecycle.AddLifecycleHook
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 
+@AddLifecycleHook(NotByDefault::class)
 class FramesTest {
     @Example
     fun printedCodeMakesTheFrame() {
@@ -47,6 +51,25 @@ class FramesTest {
         assertEquals(text.trimIndent(), case.toString())
         assertEquals(ReferenceRenderer().render(frame), ReferenceRenderer().render(case.frame))
     }
+
+    /** The file of a failure imports each type that the code of its frame names, also where it is nested in another. */
+    @Example
+    fun typesOfPrintedCodeAreImported() {
+        val cases = some(Frames.screen(), 50) + some(Frames.confetti(), 50) + some(Frames.world(), 300)
+        val type = Regex("""(?<![\w."])[A-Z]\w*""")
+        val named = cases.flatMap { case -> type.findAll(case.code).map { it.value } }.toSet() - KOTLIN
+        assertTrue(named.containsAll(listOf("Confetti", "Scene", "AlphaMode", "Vertex"))) { "$named" }
+        val (packages, types) = ReportFiles.IMPORTS.partition { it.endsWith(".*") }
+        assertEquals(emptyList<String>(), types.filterNot(::isType))
+        val missing = named.filterNot { name ->
+            types.any { it.endsWith(".$name") } || packages.any { isType(it.removeSuffix("*") + name) }
+        }
+        assertEquals(emptyList<String>(), missing)
+    }
+
+    private fun isType(name: String): Boolean = generateSequence(name) { outer ->
+        outer.lastIndexOf('.').takeIf { it >= 0 }?.let { outer.replaceRange(it, it + 1, "$") }
+    }.any { runCatching { Class.forName(it, false, javaClass.classLoader) }.isSuccess }
 
     @Example
     fun sameSeedGivesTheSameFrames() {
@@ -95,4 +118,8 @@ class FramesTest {
     }
 
     private fun visible(frame: Frame): Int = ReferenceRenderer().render(frame).visible
+
+    private companion object {
+        val KOTLIN = setOf("Double", "Float", "Long")
+    }
 }

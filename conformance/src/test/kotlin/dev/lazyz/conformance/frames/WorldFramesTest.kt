@@ -4,11 +4,14 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.conformance.mutants.coversAnything
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.shared.NotByDefault
 import dev.lazyz.spi.Spans
 import net.jqwik.api.Example
+import net.jqwik.api.lifecycle.AddLifecycleHook
 import org.junit.jupiter.api.Assertions.assertTrue
 
 /** Scenes are useful for tests: few are empty, and most of their surfaces are visible, in more than one colour. */
+@AddLifecycleHook(NotByDefault::class)
 class WorldFramesTest {
     @Example
     fun scenesAreWorthTheEffort() {

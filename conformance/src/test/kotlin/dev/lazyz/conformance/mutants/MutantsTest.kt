@@ -20,7 +20,7 @@ class MutantsTest {
      * [TestEffort].
      */
     @TestFactory
-    fun mistakeIsNoticed(): List<DynamicTest> = TestEffort.sample(35, Mistakes.all).map { mistake ->
+    fun mistakeIsNoticed(): List<DynamicTest> = TestEffort.sample(50, Mistakes.all).map { mistake ->
         dynamicTest(mistake.id) {
             val missed = missed(mistake, mistake.noticedBy)
 
@@ -36,14 +36,10 @@ class MutantsTest {
     private fun isChancy(rule: String): Boolean = rule in RuleNames.chancy
 
     @Test
-    fun namesAreUnique() {
-        assertEquals(Mistakes.all.size, Mistakes.all.map { it.id }.toSet().size)
-    }
+    fun namesAreUnique() = assertEquals(Mistakes.all.size, Mistakes.all.map { it.id }.toSet().size)
 
     @Test
-    fun everyRuleNoticesSomeMistake() {
-        assertEquals(SuiteRun.rules, Mistakes.all.flatMap { it.noticedBy }.toSet())
-    }
+    fun everyRuleNoticesSomeMistake() = assertEquals(SuiteRun.rules, Mistakes.all.flatMap { it.noticedBy }.toSet())
 
     @Test
     fun everyRuleSaysWhatItIsFor() {

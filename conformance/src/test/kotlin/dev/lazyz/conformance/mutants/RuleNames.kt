@@ -112,7 +112,5 @@ internal object RuleNames {
     val arrivals = RendererConformance::rule_8_1_promiseToStreamPrimitivesIsKept.name
 
     /** Rules that notice what happens where threads meet, which depends on chance. */
-    val chancy: Set<String> = setOf(
-        lost, lostCounts, workers, late, halfDone, finish, meets, caller, threads,
-    )
+    val chancy: Set<String> = setOf(lost, lostCounts, workers, late, halfDone, finish, meets, caller, threads)
 }

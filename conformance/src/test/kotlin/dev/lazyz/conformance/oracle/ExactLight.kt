@@ -91,13 +91,7 @@ internal class ExactLight(
      *
      * @param graze as in [at]
      */
-    fun reflected(
-        color: DoubleArray,
-        metallic: Double,
-        roughness: Double,
-        place: Place,
-        graze: Double,
-    ): DoubleArray? {
+    fun reflected(color: DoubleArray, metallic: Double, roughness: Double, place: Place, graze: Double): DoubleArray? {
         val v = toViewer(place.point).normalize()
         val n = unitNormal(place.normal, v) ?: return null
         val alpha = maxOf(roughness * roughness, 1.0 / 512)

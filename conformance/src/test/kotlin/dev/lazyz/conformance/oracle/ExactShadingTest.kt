@@ -10,6 +10,7 @@ import dev.lazyz.conformance.mutants.wrappers.Inside
 import dev.lazyz.conformance.mutants.wrappers.LightChanges
 import dev.lazyz.conformance.mutants.wrappers.MapChanges
 import dev.lazyz.conformance.mutants.wrappers.ShadingMistakes
+import dev.lazyz.shared.NotByDefault
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Spans
 import dev.lazyz.world.Environment
@@ -19,6 +20,7 @@ import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Example
+import net.jqwik.api.lifecycle.AddLifecycleHook
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -32,6 +34,7 @@ class ExactShadingTest {
     )
 
     @Example
+    @AddLifecycleHook(NotByDefault::class)
     fun rule_6_5_coloursAreExact() {
         val comparison = Comparison()
         for (case in kinds.flatMap { known(it, 20) }) {

@@ -9,6 +9,7 @@ import dev.lazyz.conformance.frames.screen.PolygonPiece
 import dev.lazyz.conformance.frames.screen.ScreenPolygons
 import dev.lazyz.conformance.probes.exact
 import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.shared.NotByDefault
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Spans
 import java.util.Random
@@ -17,6 +18,7 @@ import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
 import net.jqwik.api.Provide
+import net.jqwik.api.lifecycle.AddLifecycleHook
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 
@@ -73,6 +75,7 @@ class SetUpIsExactTest {
     }
 
     @Property(tries = 200, seed = "1995", edgeCases = EdgeCasesMode.NONE)
+    @AddLifecycleHook(NotByDefault::class)
     fun primitivesKeepTheirPromises(@ForAll("frames") case: FrameCase) {
         for (primitive in case.frame.primitives) {
             for (y in 0 until case.frame.height) {

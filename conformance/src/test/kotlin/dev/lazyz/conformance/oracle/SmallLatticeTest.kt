@@ -54,7 +54,7 @@ class SmallLatticeTest {
 
     /** All pairs of triangles on the two sides of an edge: no sample is covered twice, and none is missed. */
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun everyPairAtASharedEdgeCoversEachSampleOnce() {
         val lattice = SmallLattice(from = 0, step = 64, side = 9, raster = 2)
         val raster = Raster(lattice.raster, lattice.raster)

@@ -14,9 +14,11 @@ import dev.lazyz.strategies.Renderers
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class SmallWorldsTest {
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun builtInRenderersAreRightInSmallWorlds() {
         for (renderer in Renderers.builtIn + ReferenceRenderer()) smallWorlds(renderer)
     }
@@ -49,8 +51,7 @@ class SmallWorldsTest {
         assertTrue("FrameBuilder(Raster(3, 2" in error.message.orEmpty()) { "${error.message}" }
     }
 
-    private fun Frame.tested(test: DepthTest): Frame =
-        Frame(raster.withDepthTest(test), primitives)
+    private fun Frame.tested(test: DepthTest): Frame = Frame(raster.withDepthTest(test), primitives)
 
     private class WithoutLeftColumn(private val whole: Primitive) : Primitive by whole {
         override fun spans(y: Int, spans: Spans) {

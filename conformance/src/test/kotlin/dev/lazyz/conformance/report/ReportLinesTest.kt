@@ -18,12 +18,12 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 import org.w3c.dom.Element
 
 /** How the summary, the XML for build servers and the files of a report show each outcome. */
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
 class ReportLinesTest {
     private val nearest = "rule_5_1_nearestFragmentIsVisible"
     private val promise = "rule_8_2_promiseToShadeOnlyTheVisibleIsKept"

@@ -34,9 +34,7 @@ class DeadlineTest {
     }
 
     @Test
-    fun aThreadThatRunsAllTheTimeIsBusy() {
-        assertEquals(Lateness.BUSY to 200, verdict(1L to 100L))
-    }
+    fun aThreadThatRunsAllTheTimeIsBusy() = assertEquals(Lateness.BUSY to 200, verdict(1L to 100L))
 
     @Test
     fun aBusyMachineChangesNoVerdictUntilItsLoadIsTen() {
@@ -54,15 +52,11 @@ class DeadlineTest {
     }
 
     @Test
-    fun threadsThatAllWaitAreAsleep() {
-        assertEquals(Lateness.ASLEEP to 200, verdict(1L to 0L, OTHERS to 0L))
-    }
+    fun threadsThatAllWaitAreAsleep() = assertEquals(Lateness.ASLEEP to 200, verdict(1L to 0L, OTHERS to 0L))
 
     /** It may work for the renderer without being known to: a thread of an executor that others have made. */
     @Test
-    fun aForeignThreadThatRunsKeepsItOpen() {
-        assertEquals(Lateness.UNKNOWN to 2000, verdict(1L to 0L, OTHERS to 100L))
-    }
+    fun aForeignThreadThatRunsKeepsItOpen() = assertEquals(Lateness.UNKNOWN to 2000, verdict(1L to 0L, OTHERS to 100L))
 
     @Test
     fun progressStartsItAnew() {

@@ -47,9 +47,7 @@ class EffortTest {
     }
 
     @Test
-    fun seedOfARuleIsTheSameForEver() {
-        assertEquals(SEED, SuiteRule.find(rule)!!.seed(1995))
-    }
+    fun seedOfARuleIsTheSameForEver() = assertEquals(SEED, SuiteRule.find(rule)!!.seed(1995))
 
     @Test
     fun effortThatIsNoPositiveNumberIsRefused() {

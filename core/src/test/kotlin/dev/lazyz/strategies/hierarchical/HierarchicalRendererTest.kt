@@ -18,7 +18,6 @@ import kotlin.random.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class HierarchicalRendererTest {
@@ -36,7 +35,7 @@ class HierarchicalRendererTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun hundredsOfLayersCostAsManyDepthsAsOne() {
         for (submission in Submission.entries) {
             for (count in listOf(1, 10, 200)) {

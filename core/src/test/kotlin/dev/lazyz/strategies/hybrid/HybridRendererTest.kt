@@ -22,6 +22,7 @@ import kotlinx.coroutines.runBlocking
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** Checks the hybrid's promises with its counters. */
 class HybridRendererTest {
@@ -69,6 +70,7 @@ class HybridRendererTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun bytesGrowWithSuspensionsAndAreFreedWhenTheyAreHidden() {
         val tiles = Frame(raster, mosaic.primitives.take(400))
         val half = Frame(raster, mosaic.primitives.take(200))

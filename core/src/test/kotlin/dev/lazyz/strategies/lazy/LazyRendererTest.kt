@@ -20,7 +20,6 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class LazyRendererTest {
@@ -111,7 +110,7 @@ class LazyRendererTest {
 
     /** The table of `docs/algorithms/lazy.md`. */
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aBudgetIsPaidForByBeginningPrimitivesAgain() {
         val raster = Raster(64, 100)
         val counts = listOf(null, 200_000L, 100_000L, 10_000L, 0L).map { budget ->
@@ -139,6 +138,7 @@ class LazyRendererTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aHundredThousandStagesNeedNoStack() {
         val frame = PipelineScenes.crowd(100_000, 3)
         val image = PipelineScenes.onASmallStack { renderer.render(frame) }

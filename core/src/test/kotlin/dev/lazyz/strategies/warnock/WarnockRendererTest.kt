@@ -26,6 +26,7 @@ class WarnockRendererTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun depthsDoNotGrowWithLayersApartInDepth() {
         // One depth a sample, and one for each of the four bands, for any number of layers
         for (submission in Submission.entries) {

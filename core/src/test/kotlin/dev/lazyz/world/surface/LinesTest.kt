@@ -9,6 +9,7 @@ import dev.lazyz.SampleScenes
 import dev.lazyz.SampleSet
 import dev.lazyz.samples
 import dev.lazyz.samplesByCursor
+import dev.lazyz.shared.NotByDefault
 import dev.lazyz.spi.Fragment
 import dev.lazyz.world.Camera
 import dev.lazyz.world.material.Material
@@ -18,6 +19,7 @@ import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
+import net.jqwik.api.lifecycle.AddLifecycleHook
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -96,6 +98,7 @@ class LinesTest {
     }
 
     @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
+    @AddLifecycleHook(NotByDefault::class)
     fun rule_2_10_aLineIsAQuadAndItsEnds(@ForAll random: Random) {
         val reach = listOf(2, 40, 300, 3000, 6000)[random.nextInt(5)]
         val x0 = random.nextInt(26 * 256) - 256

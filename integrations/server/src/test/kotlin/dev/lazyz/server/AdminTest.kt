@@ -5,6 +5,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** The port for health and metrics. */
 class AdminTest {
@@ -43,6 +44,7 @@ class AdminTest {
 
     /** A process that ends its work is healthy, and takes no more. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun whileTheServerIsClosedItIsAliveAndNotReady() {
         val server = RenderServer(config).start()
         val client = Client(server)

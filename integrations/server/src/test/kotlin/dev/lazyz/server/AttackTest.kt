@@ -31,14 +31,14 @@ class AttackTest {
     private fun Client.answer(text: String): String = open(text).use { it.getInputStream().text() }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun slowHeadersAreCutOff() = attack(config.withIdleTime(Duration.ofSeconds(5))) { client ->
         val slow = listOf("POST /render HTTP/1.1\r\nX-Slow: ", "").map { client.open(it) }
         for (connection in slow) assertEquals("", connection.use { it.getInputStream().text() })
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aSlowUploadIsCutOff() = attack(config.withUploadTime(Duration.ofSeconds(5))) { client ->
         val answer = client.answer(head + "Content-Length: 1000\r\n\r\nv 0 0 0\n")
         assertTrue(answer.startsWith("HTTP/1.1 408 ")) { answer }

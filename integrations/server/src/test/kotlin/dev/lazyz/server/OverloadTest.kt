@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** More requests than the server can answer at once. Each server here renders one picture at a time. */
 class OverloadTest {
@@ -139,6 +140,7 @@ class OverloadTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun closingWaitsForRequestsInWork() {
         val server = RenderServer(config).start()
         val client = Client(server)

@@ -46,6 +46,7 @@ class ModelPicturesTest {
     private val plain = "size=64x48 aa=1 light-intensity=1"
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun picturesAreThoseOfOneJvm(@TempDir folder: Path) {
         val rows = ModelPictures.render(files(folder), "$plain output=png+pixels+depth").byName()
         val teapot = expected(Models.stl(), SceneFormat.STL, UpAxis.Z)
@@ -66,6 +67,7 @@ class ModelPicturesTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun badModelsAreRowsWithTheirErrors(@TempDir folder: Path) {
         val rows = ModelPictures.render(files(folder), plain).byName()
         assertEquals(5, rows.size)
@@ -82,6 +84,7 @@ class ModelPicturesTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun limitsApply(@TempDir folder: Path) {
         val limits = LoadLimits(triangles = 100)
         val rows = ModelPictures.render(files(folder), plain, limits).byName()

@@ -79,7 +79,7 @@ class TrianglePictureTest {
 
     @ParameterizedTest
     @CsvSource("LAST, EAGER", "LAST, LAZY", "MIDDLE, EAGER")
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun bitsAreThoseOfOneJvm(order: SortOrder, shading: SortedShading, @TempDir folder: Path) {
         val file = stl(folder)
         val frame = frame(file, 300, 200)
@@ -112,7 +112,7 @@ class TrianglePictureTest {
     /** Equal triangles in different partitions: the smallest index wins. */
     @ParameterizedTest
     @CsvSource("LAST, EAGER", "LAST, LAZY", "MIDDLE, EAGER")
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun tiesGoToTheFirstSubmitted(order: SortOrder, shading: SortedShading) {
         val corners = listOf(0f, 0f, 0f, 1f, 0f, 0f, 0f, 1f, 0f)
         val rows = listOf(7L, 3L, 5L).map { RowFactory.create(it, *corners.toTypedArray()) }
@@ -188,7 +188,7 @@ class TrianglePictureTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun headersOfPlyAreReadAsScenesReadsThem(@TempDir folder: Path) {
         fun read(name: String, header: (String) -> String): Dataset<Row> {
             val bytes = ply(ByteOrder.LITTLE_ENDIAN)
@@ -232,7 +232,7 @@ class TrianglePictureTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun thePlannerSaysWhy(@TempDir folder: Path) {
         val triangles = TriangleTable.readStl(spark, "${stl(folder)}", partitionBytes = 20_000)
         val small = TrianglePicture(triangles, 20, 20, Upright(20, 20)).explain()
@@ -265,7 +265,7 @@ class TrianglePictureTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun badFilesAreReported(@TempDir folder: Path) {
         fun problem(name: String, bytes: ByteArray, read: (String) -> Dataset<Row>): String {
             val file = folder.resolve(name).also { it.writeBytes(bytes) }

@@ -12,9 +12,11 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** Several processes write one page, and a class begins anew in each. */
+@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
 class ParallelProcessesTest {
     @TempDir
     lateinit var folder: Path

@@ -232,8 +232,7 @@ internal class CubicBasis(segments: Int) {
         val at = 4 * step
         // Add the outer and the inner terms in pairs: the sum is then the same for the reversed curve
         val outer = weights[at] * coefficients[first] + weights[at + 3] * coefficients[first + 3 * stride]
-        val inner =
-            weights[at + 1] * coefficients[first + stride] + weights[at + 2] * coefficients[first + 2 * stride]
+        val inner = weights[at + 1] * coefficients[first + stride] + weights[at + 2] * coefficients[first + 2 * stride]
         return outer + inner
     }
 

@@ -76,6 +76,5 @@ internal object ChannelPacking {
         (y.toLong() * texture.height / like.height).toInt(),
     )
 
-    private fun grey(texel: Int): Int =
-        ((texel ushr 16 and 0xFF) + (texel ushr 8 and 0xFF) + (texel and 0xFF) + 1) / 3
+    private fun grey(texel: Int): Int = ((texel ushr 16 and 0xFF) + (texel ushr 8 and 0xFF) + (texel and 0xFF) + 1) / 3
 }

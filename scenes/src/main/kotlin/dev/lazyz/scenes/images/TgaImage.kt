@@ -122,7 +122,6 @@ internal class TgaImage private constructor(private val bytes: ByteArray) {
         private fun bytesOf(depth: Int): Int = (depth + 7) / 8
 
         /** Returns the picture in [bytes], which is not decoded yet, or null if it is of another format. */
-        fun of(bytes: ByteArray): TgaImage? =
-            if (bytes.size < HEADER) null else TgaImage(bytes).takeIf { it.isValid() }
+        fun of(bytes: ByteArray): TgaImage? = if (bytes.size < HEADER) null else TgaImage(bytes).takeIf { it.isValid() }
     }
 }

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.loading
 
+import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
@@ -7,7 +8,10 @@ import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Surface
 import java.nio.file.Path
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /**
  * One call of [Scenes.load]: its [options], the amount of each limit that is used so far, and the textures that it
@@ -201,3 +205,55 @@ internal data class UsedAmounts(
     val items: Long = 0,
     val decoding: Long = 0,
 )
+
+/** Keeps the precision of files whose decimal or 64-bit positions are far from the world's origin. */
+internal object FarOrigin {
+    /**
+     * Returns the result of [read], whose argument is the vector that [read] subtracts from all positions. First the
+     * vector is zero. If the model is so far from the origin that 32-bit positions are too coarse, the result is
+     * discarded, and the file is read again with the model's centre subtracted. It counts towards the limits of
+     * [loading] once.
+     *
+     * @param bounds the bounding box of a result, or null if it is empty
+     */
+    fun <T : Any> reading(loading: Loading, read: (Vector3dc) -> T, bounds: (T) -> Box?): T {
+        val before = loading.used
+        val first = First(read(Vector3d()))
+        val origin = bounds(first.found())?.origin()
+        if (origin == null || origin == Vector3d()) return first.found()
+        first.drop()
+        loading.used = before
+        return read(origin)
+    }
+
+    /** Holds the first result. A local variable would keep it in memory until the call ends. */
+    private class First<T : Any>(private var found: T?) {
+        fun found(): T = checkNotNull(found)
+
+        fun drop() {
+            found = null
+        }
+    }
+}
+
+/** Names of parts, see [Surface.name]. */
+internal object PartNames {
+    /** In characters: a name in the file can be long, and many parts can be inside the part that has it. */
+    const val LONGEST: Int = 1000
+
+    private const val CUT = "..."
+
+    /**
+     * Returns the path of the part [name] in the part with the path [parent]; either can be empty. A path with more
+     * than [LONGEST] characters loses its beginning.
+     */
+    fun path(parent: String, name: String?): String {
+        if (name.isNullOrBlank()) return parent
+        val own = name.trim().takeLast(LONGEST + 1)
+        val path = if (parent.isEmpty()) own else "${parent.takeLast(LONGEST)}/$own"
+        return if (path.length <= LONGEST) path else CUT + path.takeLast(LONGEST - CUT.length)
+    }
+
+    /** Returns the memory of [path]. */
+    fun bytes(path: String): Long = 2L * path.length
+}

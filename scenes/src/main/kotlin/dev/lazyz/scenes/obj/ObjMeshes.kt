@@ -104,8 +104,7 @@ internal class ObjMeshes(
             origin = model.origin,
         )
         val isFlat = batch.normals == Normals.FLAT
-        val shaded =
-            if (isFlat) whole else MissingNormals.computed(source, whole, ObjParser.CREASE_ANGLE, flat::get)
+        val shaded = if (isFlat) whole else MissingNormals.computed(source, whole, ObjParser.CREASE_ANGLE, flat::get)
         val parts = MeshParts(source, shaded, groupOf, groups.size)
         return groups.map { (group, number) ->
             Placed(firstFaces[number], finished(parts.part(number), group))

@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.obj
 
 import dev.lazyz.scenes.collections.Ints
-import dev.lazyz.scenes.loading.PixelDefaults
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.PixelDefaults
 import dev.lazyz.scenes.obj.materials.MtlMaterial
 import dev.lazyz.scenes.text.Statements
 import dev.lazyz.world.material.Material

@@ -100,9 +100,7 @@ internal class PlyStreaming private constructor(private val source: Source, priv
     /** Reads the body once. */
     private inner class Pass : AutoCloseable {
         private val bytes = input.bytes(header.bodyPosition)
-        val body = PlyBody.of(
-            source, header, ByteWindow(source, bytes, header.bodyPosition), input.file.size,
-        )
+        val body = PlyBody.of(source, header, ByteWindow(source, bytes, header.bodyPosition), input.file.size)
 
         fun skip(element: PlyElement) {
             source.step()

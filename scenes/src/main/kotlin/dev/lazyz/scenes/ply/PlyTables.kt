@@ -1,8 +1,8 @@
 package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.collections.Ints
-import dev.lazyz.scenes.loading.PixelDefaults
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.scenes.meshes.PixelDefaults
 import dev.lazyz.scenes.meshes.VertexArrays
 import dev.lazyz.world.surface.Lines
 import org.joml.Vector3dc

@@ -8,9 +8,9 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
 class TeapotTest {
     @Test
     fun segmentsOutOfRangeAreRejected() {

@@ -14,8 +14,7 @@ import kotlin.concurrent.thread
 internal class Fuzzer(private val target: FuzzTarget, private val settings: FuzzSettings, folder: Path) {
     private val random = Random(settings.seed xor target.id.hashCode().toLong())
     private val coverage = Coverage()
-    private val runner =
-        CaseRunner(coverage.create(LoadAndDraw::class.java.name, target.id, folder) as SceneCase)
+    private val runner = CaseRunner(coverage.create(LoadAndDraw::class.java.name, target.id, folder) as SceneCase)
     private val kept = ArrayList<Kept>()
     private val kinds = HashSet<String>()
     private val statistics = FuzzStatistics()

@@ -21,9 +21,7 @@ class HtmlTest {
     }
 
     @Test
-    fun picturesAreDataUris() {
-        assertEquals("data:image/png;base64,AP8Q", Html.pngUri(byteArrayOf(0, -1, 16)))
-    }
+    fun picturesAreDataUris() = assertEquals("data:image/png;base64,AP8Q", Html.pngUri(byteArrayOf(0, -1, 16)))
 
     @Test
     fun pagesAreWholeFiles(@TempDir folder: Path) {

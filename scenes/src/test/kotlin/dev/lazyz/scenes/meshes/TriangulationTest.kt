@@ -63,11 +63,7 @@ class TriangulationTest {
     fun starThatTurnsLeftTwiceIsNotTakenForConvex() {
         val pentagram = polygon(
             *DoubleArray(10) { 2 * Math.PI * 2 * (it / 2) / 5 }.mapIndexed { i, a ->
-                if (i % 2 == 0) {
-                    cos(a)
-                } else {
-                    sin(a)
-                }
+                if (i % 2 == 0) cos(a) else sin(a)
             }.toDoubleArray()
         )
         val fan = intArrayOf(0, 1, 2, 0, 2, 3, 0, 3, 4)

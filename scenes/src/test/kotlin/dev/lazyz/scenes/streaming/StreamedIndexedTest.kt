@@ -193,7 +193,7 @@ class StreamedIndexedTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun mistakesAreFoundAsInMemory() {
         val wrong = listOf(
             "model.obj" to "v 0 0\n", "model.obj" to "v 0 0 zero\n", "model.obj" to "f 1 2 3\n",
@@ -219,6 +219,7 @@ class StreamedIndexedTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun limitsApply() {
         val few = LoadLimits().withVertices(20_000)
         val triangles = LoadLimits().withTriangles(40_000)
@@ -231,6 +232,7 @@ class StreamedIndexedTest {
 
     /** Changed bytes give a picture or an error about the file, and leave no temporary files. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun damagedFilesDoNoHarm() {
         val random = Random(7)
         val small = hills(8) { isColored = true }

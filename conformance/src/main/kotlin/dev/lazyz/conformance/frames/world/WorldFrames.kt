@@ -51,8 +51,7 @@ internal object WorldFrames {
     /** Generates frames of all kinds of surfaces, some of them translucent. */
     fun blended(rasters: Arbitrary<Raster>, maxSurfaces: Int): Arbitrary<FrameCase> {
         val materials = WorldMaterials.blended()
-        val surfaces =
-            surfaces(WorldShapes(materials), WorldMeshes(materials), WorldPoints(materials), maxSurfaces)
+        val surfaces = surfaces(WorldShapes(materials), WorldMeshes(materials), WorldPoints(materials), maxSurfaces)
         return cases(rasters, surfaces)
     }
 
@@ -63,12 +62,10 @@ internal object WorldFrames {
     }
 
     /** Generates frames of points, in front of and among meshes, without translucency. */
-    fun dotted(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> =
-        cases(rasters, among(dots.points()))
+    fun dotted(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> = cases(rasters, among(dots.points()))
 
     /** Generates frames of lines, in front of and among meshes, without translucency. */
-    fun lined(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> =
-        cases(rasters, among(dots.lines()))
+    fun lined(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> = cases(rasters, among(dots.lines()))
 
     /** Generates frames of points and lines, most of which blend, among meshes. */
     fun blendedDots(rasters: Arbitrary<Raster>): Arbitrary<FrameCase> {
@@ -161,9 +158,7 @@ internal class WorldPoints(private val materials: Arbitrary<Coded<Material>>) {
                 code(positions), code(size), material.code, normals?.let { "normals = ${code(it)}" },
                 colors?.let { "colors = ${code(it)}" },
             )
-            Coded(
-                Points(positions, size, material.value, normals, colors), words.joinToString(", ", "Points(", ")"),
-            )
+            Coded(Points(positions, size, material.value, normals, colors), words.joinToString(", ", "Points(", ")"))
         }
 
     /** Mostly polylines, otherwise arbitrary segments, including segments of length zero. */

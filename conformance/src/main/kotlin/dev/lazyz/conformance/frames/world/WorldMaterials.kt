@@ -212,9 +212,7 @@ internal object WorldTextures {
                     "encoding = Texture.Encoding.$encoding".takeIf { encoding != Texture.Encoding.SRGB },
                 )
                 Coded(
-                    Texture(
-                        width, height, texels, filter, wrapU, wrapV, mipFilter = mipFilter, encoding = encoding,
-                    ),
+                    Texture(width, height, texels, filter, wrapU, wrapV, mipFilter = mipFilter, encoding = encoding),
                     words.joinToString(", ", "Texture(", ")"),
                 )
             }

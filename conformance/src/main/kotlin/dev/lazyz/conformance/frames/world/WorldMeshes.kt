@@ -159,7 +159,6 @@ internal class WorldMeshes(private val materials: Arbitrary<Coded<Material>>) {
             faces.indices.flatMap { listOf(0, 1, 2, 0, 2, 3).map { corner -> 4 * it + corner } }.toIntArray(),
         )
 
-        fun reversed(geometry: Geometry): Geometry =
-            Geometry(geometry.positions, geometry.triangles.reversedArray())
+        fun reversed(geometry: Geometry): Geometry = Geometry(geometry.positions, geometry.triangles.reversedArray())
     }
 }

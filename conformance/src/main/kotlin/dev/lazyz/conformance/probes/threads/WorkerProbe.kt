@@ -82,8 +82,7 @@ internal class WorkerProbe(
         private const val PATIENCE = 80_000_000L
 
         /** Returns the frame with primitives that do not distinguish threads. */
-        fun quiet(): FrameCase =
-            FrameCase(WorkerProbe(Thread.currentThread()) {}.frame, "SuiteFrames.workers()")
+        fun quiet(): FrameCase = FrameCase(WorkerProbe(Thread.currentThread()) {}.frame, "SuiteFrames.workers()")
     }
 }
 

@@ -86,8 +86,7 @@ internal object CoverageMistakes {
     private fun Frame.misread(how: (y: Int, from: Spans, to: Spans) -> Unit) =
         Frame(raster, primitives.map { Reading(it, how) }, region)
 
-    private fun misreading(id: String, how: (y: Int, from: Spans, to: Spans) -> Unit) =
-        drawing(id) { it.misread(how) }
+    private fun misreading(id: String, how: (y: Int, from: Spans, to: Spans) -> Unit) = drawing(id) { it.misread(how) }
 
     private const val TILE = 8
     private val ALL = 0..<Raster.MAX_SIDE

@@ -74,8 +74,7 @@ internal object SizeMistakes {
 
     fun lastRowOfABandOf128() = primitives("last-row-of-a-band-of-128") { Sifted(it) { _, y -> y % 128 < 127 } }
 
-    fun noTilesBeyondTheFirstOf256() =
-        primitives("no-tiles-beyond-256") { Sifted(it) { x, y -> x < 256 && y < 256 } }
+    fun noTilesBeyondTheFirstOf256() = primitives("no-tiles-beyond-256") { Sifted(it) { x, y -> x < 256 && y < 256 } }
 
     /** A tile of 64 x 64 samples has numbers of eleven bits for what is visible in it. */
     fun elevenBitsOfATile() = painting("eleven-bits-of-a-tile") { image, frame ->

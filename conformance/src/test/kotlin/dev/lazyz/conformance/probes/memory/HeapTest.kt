@@ -27,6 +27,7 @@ class HeapTest {
 
     /** Threads take memory from the heap in large pieces, which are not objects. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun buffersOfThreadsDoNotCount() {
         assertTrue(Heap.isExact())
         val isEnough = AtomicBoolean()

@@ -4,6 +4,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Region
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.triangleBatch
+import dev.lazyz.shared.NotByDefault
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 import dev.lazyz.world.Camera
@@ -14,6 +15,7 @@ import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
 import net.jqwik.api.Property
+import net.jqwik.api.lifecycle.AddLifecycleHook
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -21,6 +23,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 /** Compares the tiles that a triangle reaches or covers completely with the samples that it covers. */
 class CoarseRasterProperties {
     @Property(tries = 40, seed = "1988", edgeCases = EdgeCasesMode.NONE)
+    @AddLifecycleHook(NotByDefault::class)
     fun tilesAreWhatTheirSamplesSay(@ForAll seed: Long) {
         val random = Random(seed)
         val batch = batch(random)

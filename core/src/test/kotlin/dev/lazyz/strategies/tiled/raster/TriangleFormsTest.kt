@@ -34,8 +34,7 @@ class TriangleFormsTest {
             val x = 2f * random.nextInt(SIDE) / SIDE - 1
             floatArrayOf(x, -0.7f, 3f, x + 4f / SIDE, 0.1f, -3f, x, 0.6f, 3f).copyInto(positions, 9 * triangle)
         }
-        val camera =
-            Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 2.0, 1.0, 9.0)
+        val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 2.0, 1.0, 9.0)
         val mesh = Mesh(positions, IntArray(positions.size / 3) { it }, Material())
         val raster = Raster(SIDE, SIDE, depthTest = test, backgroundDepth = Depth.FAR)
         return Scene(listOf(mesh), emptyList(), camera).frame(raster)

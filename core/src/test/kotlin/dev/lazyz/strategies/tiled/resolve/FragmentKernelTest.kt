@@ -68,13 +68,7 @@ class FragmentKernelTest {
     }
 
     /** Compares fragments at random samples that the first primitive covers, each of the triangle in [numbers]. */
-    private fun assertScattered(
-        frame: Frame,
-        batch: TriangleBatch,
-        numbers: IntArray,
-        random: Random,
-        what: String,
-    ) {
+    private fun assertScattered(frame: Frame, batch: TriangleBatch, numbers: IntArray, random: Random, what: String) {
         val faces = batch.faces()
         val fragments = FragmentBatch(FragmentBatch.CAPACITY)
         fragments.begin(faces.fields)

@@ -37,8 +37,7 @@ internal class FirstDriver(private val master: String, private val parts: Path) 
         return finished()
     }
 
-    private fun finished(): Int =
-        if (Files.isDirectory(parts)) parts.listDirectoryEntries("*.part").size else 0
+    private fun finished(): Int = if (Files.isDirectory(parts)) parts.listDirectoryEntries("*.part").size else 0
 
     companion object {
         private const val MAIN = "dev.lazyz.spark.cluster.FirstDriverKt"

@@ -90,10 +90,7 @@ internal class ScalingTables(private val measured: ScalingMeasurements, private 
         row("merging, of a sample", "%.2f ns".form(1e9 * measured.merging[0]))
         row(
             "merging, of a fragment",
-            "%.1f + %.1f (1 - density) ns".form(
-                1e9 * measured.merging[1],
-                1e9 * measured.merging[2]
-            )
+            "%.1f + %.1f (1 - density) ns".form(1e9 * measured.merging[1], 1e9 * measured.merging[2])
         )
         row("merging two raw arrays, of a sample", "%.2f ns".form(1e9 * measured.raw.merge(listOf(1L, 1L)).seconds))
         row("fragments of all triangles, for each visible sample", "%.2f".form(measured.facts.overdraw))

@@ -96,8 +96,7 @@ internal class GltfObject(
     }
 
     /** Returns a list of numbers, in which null is allowed, or null. */
-    fun numbers(name: String): List<Float?>? =
-        list(name) { value, where -> value?.let { number(it, where).toFloat() } }
+    fun numbers(name: String): List<Float?>? = list(name) { value, where -> value?.let { number(it, where).toFloat() } }
 
     /** Returns a list of element numbers, in which null is allowed, or null. */
     fun references(name: String): List<Int?>? {
@@ -106,8 +105,7 @@ internal class GltfObject(
     }
 
     /** Returns element numbers by name, or null. */
-    fun referencesByName(name: String): Map<String, Int?>? =
-        members[name]?.let { referencesByName(it, place(name)) }
+    fun referencesByName(name: String): Map<String, Int?>? = members[name]?.let { referencesByName(it, place(name)) }
 
     /** Returns a list of element numbers by name, in which null is allowed, or null. */
     fun listOfReferencesByName(name: String): List<Map<String, Int?>?>? =

@@ -67,8 +67,7 @@ internal class GltfVertices(
      * Returns the vertex numbers, or null if vertices are used in their order. A number that needs more than 31 bits is
      * negative.
      */
-    fun indices(): IntArray? =
-        geometry?.triangles ?: primitive.indices?.let { accessors.indices(it, "$where.indices") }
+    fun indices(): IntArray? = geometry?.triangles ?: primitive.indices?.let { accessors.indices(it, "$where.indices") }
 
     /** Fails if [numbers], [width] for each vertex, are not for [count] vertices. */
     fun checkCount(numbers: FloatArray?, width: Int, count: Int, where: String) {

@@ -3,7 +3,6 @@ package dev.lazyz.scenes.obj.materials
 import de.javagl.obj.FloatTuple
 import de.javagl.obj.Mtl
 import dev.lazyz.Rgba
-import dev.lazyz.scenes.images.HeightNormals
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
@@ -57,12 +56,7 @@ internal class MtlMaterials(private val source: Source, folders: List<Path>) {
      * Returns the material of [mtl] with the texture statements [maps] and the numbers [model], `pm` and `pr`.
      * [hasOpacity] is true if the entry has a `d`.
      */
-    fun material(
-        mtl: Mtl,
-        maps: Map<String, MtlMap>,
-        hasOpacity: Boolean,
-        model: Map<String, Float>,
-    ): MtlMaterial {
+    fun material(mtl: Mtl, maps: Map<String, MtlMap>, hasOpacity: Boolean, model: Map<String, Float>): MtlMaterial {
         val map = maps["map_kd"]
         val mask = maps["map_d"]
         val own = map?.let(textures::texture)
@@ -116,11 +110,7 @@ internal class MtlMaterials(private val source: Source, folders: List<Path>) {
     }
 
     private fun color(tuple: FloatTuple?): Rgba? = tuple?.let {
-        Rgba(
-            Rgba.linearOf(it.x.toDouble()),
-            Rgba.linearOf(it.y.toDouble()),
-            Rgba.linearOf(it.z.toDouble()),
-        )
+        Rgba(Rgba.linearOf(it.x.toDouble()), Rgba.linearOf(it.y.toDouble()), Rgba.linearOf(it.z.toDouble()))
     }
 
     private fun emission(mtl: Mtl, hasMap: Boolean): Rgba {

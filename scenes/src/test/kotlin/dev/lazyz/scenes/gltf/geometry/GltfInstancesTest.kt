@@ -25,8 +25,7 @@ class GltfInstancesTest {
         return files.json("""$scenes,$nodes,"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]$more""")
     }
 
-    private fun parse(json: String, limits: LoadLimits = LoadLimits()) =
-        GltfParser.parse(source(json, limits)).meshes
+    private fun parse(json: String, limits: LoadLimits = LoadLimits()) = GltfParser.parse(source(json, limits)).meshes
 
     private fun source(json: String, limits: LoadLimits) =
         Source(json.toByteArray(), "test", null, Loading(LoadOptions(limits)))
@@ -42,10 +41,7 @@ class GltfInstancesTest {
         val scales = files.accessor("VEC3", FLOAT, listOf(1, 1, 1, 3, 1, 1))
         val all = parse(json(""""TRANSLATION":$moves,"ROTATION":$turns,"SCALE":$scales,"_ID":$moves"""))
         assertEquals(
-            listOf(
-                listOf(10f, 0f, 0f, 12f, 0f, 0f, 10f, 2f, 0f),
-                listOf(10f, 0f, 10f, 4f, 0f, 10f, 10f, -2f, 10f),
-            ),
+            listOf(listOf(10f, 0f, 0f, 12f, 0f, 0f, 10f, 2f, 0f), listOf(10f, 0f, 10f, 4f, 0f, 10f, 10f, -2f, 10f)),
             all.map(::corners),
         )
     }

@@ -47,9 +47,7 @@ internal object MeshoptFixtures {
             "/w8OvwJvCw5vCw5vCw5vCw7/aLkBB17/3KgHvakHAgB2h1ZneKmGZYlomAFpAAA=",
     )
 
-    val indices = bytes(
-        "0QChHwQFBAW4ixGbHwAAAAA=",
-    )
+    val indices = bytes("0QChHwQFBAW4ixGbHwAAAAA=")
 
     val octahedral8 = bytes(
         "oAMAPilPRwtAdmxoWTf/QwMhAwA0PAc3ZVc7UqZkVCUnuFEAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAH9/",

@@ -23,10 +23,10 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.assertThrows
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+@EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
 class DeepZoomTest {
     @TempDir
     lateinit var folder: Path
