@@ -20,9 +20,8 @@ internal class BlankPictures(val isMistake: Boolean) {
         if (isMistake) streams.error(message) else streams.warning(message)
     }
 
-    /** Reports why there is nothing to see in [image], the picture [what], and returns that. */
-    fun report(image: Image, streams: Streams, what: String): String? =
-        reason(image).also { report(it, streams, what) }
+    /** Reports why there is nothing to see in [image], the picture [what], unless there is something. */
+    fun report(image: Image, streams: Streams, what: String): Unit = report(reason(image), streams, what)
 
     /** Returns the exit code of a command that otherwise has the exit code [other]. */
     fun code(other: Int): Int = if (isMistake && isFound && other == ExitCode.DONE) ExitCode.DIFFERENT else other
