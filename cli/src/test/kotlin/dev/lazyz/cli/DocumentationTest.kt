@@ -23,7 +23,7 @@ class DocumentationTest {
 
     /** Returns flags in the form `--flag METAVAR` or `-o`, as they appear at the beginning of a line of help. */
     private fun rows(help: String): List<String> {
-        val flag = Regex("""(?m)^ {2}(-[^ ,]*(?:, --[^ ]+)?(?: [A-Zx,=]+(?= |$))?)""")
+        val flag = Regex("""(?m)^ {2}(-[^ ,]*(?:, --[^ ]+)?(?: [A-Zx,=:]+(?= |$))?)""")
         return flag.findAll(help).map { it.groupValues[1] }.toList()
     }
 

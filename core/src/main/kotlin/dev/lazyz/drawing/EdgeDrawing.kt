@@ -1,12 +1,20 @@
 package dev.lazyz.drawing
 
 import dev.lazyz.Checkpoint
+import dev.lazyz.OwnCheckpoint
 import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.RenderOptions
+import dev.lazyz.Workers
+import dev.lazyz.drawing.EdgeStyle.EdgeSet
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.setup.Viewport
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Surface
 import java.util.function.UnaryOperator
@@ -42,7 +50,7 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
     @Volatile
     private var model: EdgeModel? = null
 
-    /** The width of visible lines as they are drawn, samples; the unit of all lengths below. */
+    /** The width of visible lines as samples show them; the unit of all lengths below. */
     private val width = maxOf(style.width, 1.0)
 
     override val pixelSize: Double get() = style.width
@@ -55,16 +63,15 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
         val depth = viewport.depthOfUnit(0.0)
         val checkpoint = setUp.checkpoint
         val model = model(checkpoint)
-        val view = view(model, setUp)
-        view.divide(style.edges, style.hidden != HiddenLines.NONE)
+        val view = view(model, setUp.raster, setUp.camera, width, setUp.workers, checkpoint)
 
         // The first submitted wins where visible and hidden lines cross
         val pen = Pen(setUp.raster, style.color, depth, width)
-        for (line in lines(view.visible, model, checkpoint)) yieldAll(pen.strokes(line))
+        for (line in polylines(whole(view.visible, model, width, checkpoint), model)) yieldAll(pen.strokes(line))
         if (style.hidden == HiddenLines.NONE) return@sequence
         val thinPen = Pen(setUp.raster, style.hiddenColor, depth, width * EdgeStyle.HIDDEN_SHARE)
         val dashes = Dashes(DASH * width, GAP * width)
-        for (line in lines(view.hidden, model, checkpoint)) {
+        for (line in polylines(whole(view.hidden, model, width, checkpoint), model)) {
             if (style.hidden == HiddenLines.SOLID) {
                 yieldAll(thinPen.strokes(line))
             } else {
@@ -80,23 +87,73 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
         model ?: EdgeModel(surfaces, style.creaseAngle, checkpoint).also { model = it }
     }
 
-    private fun view(model: EdgeModel, setUp: SetUp): EdgeView {
-        val camera = setUp.camera.relativeTo(model.origin)
+    /** Returns the edges that [camera] shows on [raster], divided into visible and hidden parts. */
+    private fun view(
+        model: EdgeModel,
+        raster: Raster,
+        camera: Camera,
+        width: Double,
+        workers: Workers,
+        checkpoint: Checkpoint,
+    ): EdgeView {
+        val near = camera.relativeTo(model.origin)
         val size = surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union)?.let {
             maxOf(it.maxX - it.minX, it.maxY - it.minY, it.maxZ - it.minZ)
         }
         val margin = width / 2 + 2.0
-        val space = ViewSpace(setUp.raster, camera)
-        val facing = Facing(model, camera, setUp.checkpoint)
+        val space = ViewSpace(raster, near)
+        val facing = Facing(model, near, checkpoint)
         val tolerance = (size ?: 0.0) * TOLERANCE
-        return EdgeView(model, facing, space, tolerance, margin, setUp.workers, setUp.checkpoint)
+        return EdgeView(model, facing, space, tolerance, margin, workers, checkpoint).also {
+            it.divide(style.edges, style.hidden != HiddenLines.NONE)
+        }
     }
 
-    private fun lines(pieces: Pieces, model: EdgeModel, checkpoint: Checkpoint): List<DoubleArray> {
+    /** Returns [pieces] without crumbs; of all edges, none is one. */
+    private fun whole(pieces: Pieces, model: EdgeModel, width: Double, checkpoint: Checkpoint): Pieces =
+        if (style.edges == EdgeSet.ALL) {
+            pieces
+        } else {
+            ShortPieces(pieces, model.pointCount, CRUMB * width, NEAR * width, checkpoint).removed()
+        }
+
+    private fun polylines(pieces: Pieces, model: EdgeModel): List<DoubleArray> {
         val lines = ArrayList<DoubleArray>()
-        val whole = ShortPieces(pieces, model.pointCount, CRUMB * width, NEAR * width, checkpoint).removed()
-        Polylines(whole, model.pointCount).forEach { lines += it }
+        Polylines(pieces, model.pointCount).forEach { lines += it }
         return lines
+    }
+
+    /**
+     * Returns the lines that [camera] shows on [raster], of which only the size counts: first the hidden parts, if
+     * they are drawn, then the visible ones, and both in the order of [LineKind]. They are the lines of a picture with
+     * 4 x 4 samples a pixel, not rounded. A line can reach beyond the raster by half its width and two pixels.
+     *
+     * @param options [RenderOptions.threads] and [RenderOptions.executor] are used, the others are not
+     * @throws InterruptedException if the calling thread is interrupted
+     */
+    @JvmOverloads
+    @Throws(InterruptedException::class)
+    public fun lines(raster: Raster, camera: Camera, options: RenderOptions = RenderOptions()): List<DrawnLine> =
+        OwnCheckpoint().use { checkpoint ->
+            val model = model(checkpoint)
+            val width = maxOf(style.width, LEAST_WIDTH)
+            val view = view(model, raster, camera, width, options.workers, checkpoint)
+            listOf(true, false).filter { !it || style.hidden != HiddenLines.NONE }.flatMap { isHidden ->
+                val whole = whole(if (isHidden) view.hidden else view.visible, model, width, checkpoint)
+                LineKind.entries.flatMap { kind ->
+                    polylines(whole.of(kind), model).map { DrawnLine(kind, isHidden, it) }
+                }
+            }
+        }
+
+    /**
+     * Returns the caps that show their front to [camera], as they are on [raster], of which only the size counts. As
+     * all that a section leaves is behind its planes, nothing hides them, except what it cannot cut. Caps that show
+     * their back are behind their own solids.
+     */
+    public fun caps(raster: Raster, camera: Camera): List<DrawnCap> {
+        val view = CapView(ViewSpace(raster, camera), Scene(surfaces).origin)
+        return surfaces.filterIsInstance<Polygon>().filter { it.isCap }.mapNotNull(view::of)
     }
 
     override fun withUpAxis(up: UpAxis): EdgeDrawing = EdgeDrawing(surfaces.map { it.withUpAxis(up) }, style)
@@ -111,18 +168,23 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
 
     override fun toString(): String = "EdgeDrawing(${surfaces.size} surfaces, $style)"
 
-    private companion object {
-        /** How near a face that touches an edge may be, as a part of the size of the scene. */
-        const val TOLERANCE = 1.0 / (1 shl 17)
+    public companion object {
+        /** Length of the dashes of hidden lines, as a multiple of the width of visible lines. */
+        public const val DASH: Double = 5.0
 
-        /** Lengths of dashes and of gaps, as multiples of the width of visible lines. */
-        const val DASH = 5.0
-        const val GAP = 3.5
+        /** Length of the gaps between them, in the same unit. */
+        public const val GAP: Double = 3.5
+
+        /** How near a face that touches an edge may be, as a part of the size of the scene. */
+        private const val TOLERANCE = 1.0 / (1 shl 17)
 
         /** The length below which a part of a silhouette is left out, see [ShortPieces], as a multiple of the width. */
-        const val CRUMB = 8.0
+        private const val CRUMB = 8.0
 
         /** The distance at which lines belong together, in the same unit. */
-        const val NEAR = 1.0
+        private const val NEAR = 1.0
+
+        /** The width of a line as one of 4 x 4 samples of a pixel shows it, pixels. */
+        private const val LEAST_WIDTH = 0.25
     }
 }

@@ -48,8 +48,8 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double, checkpoin
     /** The faces of edges that have [MANY_FACES], without the first. */
     private val moreFaces = HashMap<Int, MutableList<Int>>()
 
-    /** By edge: whether it is a crease or a boundary. */
-    private val features: BooleanArray
+    /** By edge: its [kind]. */
+    private val kinds: ByteArray
 
     val triangleCount: Int get() = corners.size / 3
     val faceCount: Int get() = triangleCount + polygons.size
@@ -108,7 +108,7 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double, checkpoin
             if (contours.any { -1 in it }) continue
             isHiding[count + polygons.size] = !polygon.material.isTranslucent
             isOneSided[count + polygons.size] = polygon.material.sides == Sides.FRONT
-            polygons += OutlinedFace(contours, polygon.fillRule)
+            polygons += OutlinedFace(contours, polygon.fillRule, polygon.isCap)
         }
         points = FloatArray(3 * distinct.size) { Float.fromBits(distinct.get(it / 3, it % 3)) }
 
@@ -126,9 +126,9 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double, checkpoin
             }
         }
         val cosine = StrictMath.cos(creaseAngle * (StrictMath.PI / 180.0))
-        features = BooleanArray(edges.size) {
+        kinds = ByteArray(edges.size) {
             checkpoint.pass()
-            secondFace[it] < 0 || isCrease(it, cosine)
+            kind(it, cosine).ordinal.toByte()
         }
     }
 
@@ -172,8 +172,11 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double, checkpoin
     /** Returns the point at one [end] of [edge], 0 or 1. */
     fun end(edge: Int, end: Int): Int = edges.get(edge, end)
 
-    /** Whether [edge] is a crease or a boundary. */
-    fun isFeature(edge: Int): Boolean = features[edge]
+    /** What [edge] is in all views: [LineKind.FACET] if it can be an outline, or nothing. */
+    fun kind(edge: Int): LineKind = LineKind.entries[kinds[edge].toInt()]
+
+    /** Whether [edge] is drawn in all views. */
+    fun isFeature(edge: Int): Boolean = kinds[edge] < LineKind.OUTLINE.ordinal
 
     /** The first face of [edge]. */
     fun firstFace(edge: Int): Int = firstFace[edge]
@@ -197,6 +200,19 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double, checkpoin
         val low = edges.get(edge, 0)
         val high = edges.get(edge, 1)
         return (0 until 3).any { corners[3 * face + it] == low && corners[3 * face + (it + 1) % 3] == high }
+    }
+
+    private fun kind(edge: Int, cosine: Double): LineKind = when (secondFace[edge]) {
+        NO_FACE -> LineKind.BOUNDARY
+        MANY_FACES -> {
+            val flats = (moreFaces(edge) + firstFace[edge]).filter(::isPolygon).map { polygons[it - triangleCount] }
+            when {
+                flats.any { it.isCap } -> LineKind.SECTION
+                flats.isNotEmpty() -> LineKind.BOUNDARY
+                else -> LineKind.CREASE
+            }
+        }
+        else -> if (isCrease(edge, cosine)) LineKind.CREASE else LineKind.FACET
     }
 
     private fun isCrease(edge: Int, cosine: Double): Boolean {
@@ -263,8 +279,9 @@ internal class EdgeModel(surfaces: List<Surface>, creaseAngle: Double, checkpoin
  * A flat face with contours: a polygon of the scene. Immutable.
  *
  * @property contours point numbers of each closed contour
+ * @property isCap whether a section made it
  */
-internal class OutlinedFace(val contours: List<IntArray>, val fillRule: FillRule) {
+internal class OutlinedFace(val contours: List<IntArray>, val fillRule: FillRule, val isCap: Boolean) {
     /** All vertices, in the order of the contours. */
     val points: Set<Int> = contours.flatMapTo(LinkedHashSet()) { it.asIterable() }
 

@@ -54,7 +54,7 @@ internal class EdgeView(
      */
     fun divide(edges: EdgeSet, hasHidden: Boolean) {
         val drawn = (0 until model.edgeCount).filter { isIn(edges, it) && (hasHidden || facing.isDrawn(it)) }
-        val chunks = List((drawn.size + CHUNK - 1) / CHUNK) { Chunk(edges == EdgeSet.ALL) }
+        val chunks = List((drawn.size + CHUNK - 1) / CHUNK) { Chunk() }
         workers.forEach(chunks.size, checkpoint) { number, own ->
             for (i in number * CHUNK until minOf((number + 1) * CHUNK, drawn.size)) {
                 own.pass()
@@ -71,20 +71,21 @@ internal class EdgeView(
         edges == EdgeSet.ALL || model.isFeature(edge) || facing.isSilhouette(edge)
 
     /** Some of the edges, for one thread. */
-    private inner class Chunk(private val isAll: Boolean) {
+    private inner class Chunk {
         val visible = Pieces()
         val hidden = Pieces()
         private val parts = HiddenParts(space, places, tolerance)
 
         // The part of the edge that is on the raster and between the near and the far plane
         private val part = KeptPart()
-        private var isFeature = false
+        private var kind = LineKind.FACET
 
         /** Polygons that were compared with the edge. They can have many sides, so once is enough. */
         private val compared = HashSet<Int>()
 
         fun divide(edge: Int) {
-            isFeature = isAll || model.isFeature(edge)
+            kind = model.kind(edge)
+            if (kind == LineKind.FACET && facing.isSilhouette(edge)) kind = LineKind.OUTLINE
             val start = model.end(edge, 0)
             val end = model.end(edge, 1)
             clip(start, end)
@@ -131,7 +132,7 @@ internal class EdgeView(
             pieces.add(
                 mix(start, end, 0, from) / w0, mix(start, end, 1, from) / w0, if (from == 0.0) start else -1,
                 mix(start, end, 0, until) / w1, mix(start, end, 1, until) / w1, if (until == 1.0) end else -1,
-                isFeature,
+                kind,
             )
         }
 

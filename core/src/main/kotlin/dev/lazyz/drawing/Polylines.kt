@@ -74,7 +74,7 @@ internal class Polylines(private val pieces: Pieces, pointCount: Int) {
 internal class Pieces {
     private var places = DoubleArray(64)
     private var ends = IntArray(32)
-    private var features = BooleanArray(16)
+    private var kinds = ByteArray(16)
 
     /** Number of pieces. */
     var count: Int = 0
@@ -89,14 +89,14 @@ internal class Pieces {
     /** The point of the model at an [end] of piece [i]; -1 if the piece ends between two points. */
     fun point(i: Int, end: Int): Int = ends[2 * i + end]
 
-    /** Whether piece [i] is a part of a boundary or a crease, not only of a silhouette. */
-    fun isFeature(i: Int): Boolean = features[i]
+    /** What piece [i] is a part of. */
+    fun kind(i: Int): LineKind = LineKind.entries[kinds[i].toInt()]
 
-    fun add(x0: Double, y0: Double, point0: Int, x1: Double, y1: Double, point1: Int, isFeature: Boolean) {
-        if (count == features.size) {
+    fun add(x0: Double, y0: Double, point0: Int, x1: Double, y1: Double, point1: Int, kind: LineKind) {
+        if (count == kinds.size) {
             places = places.copyOf(2 * places.size)
             ends = ends.copyOf(2 * ends.size)
-            features = features.copyOf(2 * features.size)
+            kinds = kinds.copyOf(2 * kinds.size)
         }
         places[4 * count] = x0
         places[4 * count + 1] = y0
@@ -104,18 +104,25 @@ internal class Pieces {
         places[4 * count + 3] = y1
         ends[2 * count] = point0
         ends[2 * count + 1] = point1
-        features[count] = isFeature
+        kinds[count] = kind.ordinal.toByte()
         count++
     }
 
     /** Adds piece [i] of [other]. */
     fun add(other: Pieces, i: Int): Unit = add(
         other.x(i, 0), other.y(i, 0), other.point(i, 0), other.x(i, 1), other.y(i, 1), other.point(i, 1),
-        other.isFeature(i),
+        other.kind(i),
     )
 
     fun addAll(other: Pieces) {
         for (i in 0 until other.count) add(other, i)
+    }
+
+    /** Returns the pieces of one [kind]. */
+    fun of(kind: LineKind): Pieces {
+        val own = Pieces()
+        for (i in 0 until count) if (kinds[i].toInt() == kind.ordinal) own.add(this, i)
+        return own
     }
 }
 
@@ -124,8 +131,8 @@ internal class Pieces {
  * A silhouette of triangles is a zigzag around that of the smooth surface, so where a rough surface is seen almost
  * along its tangent, crumbs of the zigzag appear.
  *
- * Pieces that are at most [near] pixels apart belong together. What belongs together is removed if it has no boundary
- * and no crease, is partly hidden, and is shorter than [least] pixels. Used once; not thread safe. Cost: linear in the
+ * Pieces that are at most [near] pixels apart belong together. What belongs together is removed if it has only
+ * outlines, is partly hidden, and is shorter than [least] pixels. Used once; not thread safe. Cost: linear in the
  * number of pieces and in their length in pixels.
  *
  * @param pointCount number of points of the model
@@ -145,7 +152,7 @@ internal class ShortPieces(
 
     /** Returns the pieces that are no crumbs. */
     fun removed(): Pieces {
-        if ((0 until pieces.count).all { pieces.isFeature(it) }) return pieces
+        if ((0 until pieces.count).all(::isFeature)) return pieces
         for (i in 0 until 2 * pieces.count) pieces.point(i / 2, i % 2).let { if (it >= 0) endsAt[it]++ }
         connect()
         val length = DoubleArray(pieces.count)
@@ -154,7 +161,7 @@ internal class ShortPieces(
         for (i in 0 until pieces.count) {
             val root = root(i)
             length[root] += length(i)
-            if (pieces.isFeature(i)) isKept[root] = true
+            if (isFeature(i)) isKept[root] = true
             if (isLoose(pieces.point(i, 0)) || isLoose(pieces.point(i, 1))) isCut[root] = true
         }
         val rest = Pieces()
@@ -164,6 +171,8 @@ internal class ShortPieces(
         }
         return rest
     }
+
+    private fun isFeature(i: Int) = pieces.kind(i) != LineKind.OUTLINE
 
     /** Whether only one piece ends at [point], or the piece ends between two points. */
     private fun isLoose(point: Int) = point < 0 || endsAt[point] == 1

@@ -89,7 +89,8 @@ public class Section @JvmOverloads constructor(
         if (!polygon.contours.all { contour -> contour.all { it.isFinite } }) return polygon
         if (polygon.contours.all { contour -> contour.all { plane.height(it.x, it.y, it.z) <= 0.0 } }) return polygon
         val contours = ContourCut.of(polygon.contours, polygon.fillRule, plane).filter { it.size >= 3 }
-        return if (contours.isEmpty()) null else Polygon(contours, polygon.material, polygon.fillRule, polygon.name)
+        if (contours.isEmpty()) return null
+        return Polygon(contours, polygon.material, polygon.fillRule, polygon.name, polygon.isCap)
     }
 
     /** Returns the caps of [meshes] on [plane], cut by the other planes. */
@@ -126,7 +127,7 @@ public class Section @JvmOverloads constructor(
                 Vertex(origin.x() + loop[3 * it], origin.y() + loop[3 * it + 1], origin.z() + loop[3 * it + 2])
             }
         }
-        val whole = Polygon(loops, capMaterial.apply(mesh.material), FillRule.NON_ZERO, mesh.name)
+        val whole = Polygon(loops, capMaterial.apply(mesh.material), FillRule.NON_ZERO, mesh.name, isCap = true)
         if (loops.isEmpty()) return null
         val others = distinctPlanes.filter { it !== plane }
         return others.fold(whole as Polygon?) { rest, other -> rest?.let { cut(it, other) } }

@@ -61,6 +61,8 @@ object PictureWords {
         "hidden-color" to listOf("red", "0f0", "reddd"),
         "cut" to listOf("x=50%", "1,1,1,2", "x"),
         "cap-color" to listOf("lime", "ffffff80", "limes"),
+        "scale" to listOf("1:2", "2.5:1", "1:0"),
+        "unit" to listOf("mm", "in", "mile"),
     )
 
     /**

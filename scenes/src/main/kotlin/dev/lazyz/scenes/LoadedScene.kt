@@ -29,6 +29,7 @@ import java.nio.file.Path
  *   order in which they were found, each once; also those that could not be decoded. Without the file itself
  * @property format the format that was read, or null if the scene does not come from a file
  * @property picture what a scene file says about a picture of it: names of `PictureParameters`, each with its words
+ * @property unit the unit of its lengths, if the file or its format says one: that of a 3MF file, and the metre of glTF
  */
 public class LoadedScene @JvmOverloads constructor(
     public val scene: Scene,
@@ -40,6 +41,7 @@ public class LoadedScene @JvmOverloads constructor(
     public val files: List<Path> = emptyList(),
     public val format: SceneFormat? = null,
     public val picture: Map<String, List<String>> = emptyMap(),
+    public val unit: LengthUnit? = null,
 ) {
     /** Whether this is a model: not a scene file, whose author chose camera and light. */
     public val isModel: Boolean get() = format != null && format != SceneFormat.SCENE
@@ -77,7 +79,7 @@ public class LoadedScene @JvmOverloads constructor(
 
     /** Returns this input with another scene. */
     public fun withScene(scene: Scene): LoadedScene =
-        LoadedScene(scene, warnings, size, depth, cameras, lightRig, files, format, picture)
+        LoadedScene(scene, warnings, size, depth, cameras, lightRig, files, format, picture, unit)
 
     override fun toString(): String = "LoadedScene($scene, ${warnings.size} warnings, size $size)"
 }
@@ -90,6 +92,21 @@ public class LoadedScene @JvmOverloads constructor(
  */
 public class NamedCamera(public val name: String, public val camera: Camera) {
     override fun toString(): String = "NamedCamera($name, $camera)"
+}
+
+/**
+ * Units of length.
+ *
+ * @property symbol the usual symbol; a word for the micrometre
+ * @property millimetres how many millimetres one is
+ */
+public enum class LengthUnit(public val symbol: String, public val millimetres: Double) {
+    MICROMETRE("micron", 0.001),
+    MILLIMETRE("mm", 1.0),
+    CENTIMETRE("cm", 10.0),
+    METRE("m", 1000.0),
+    INCH("in", 25.4),
+    FOOT("ft", 304.8),
 }
 
 /**

@@ -9,6 +9,7 @@ import dev.lazyz.scenes.diff.ModelDifference;
 import dev.lazyz.scenes.pictures.PictureParameters;
 import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.world.View;
+import java.io.ByteArrayOutputStream;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -46,6 +47,15 @@ class JavaOptionsTest {
         assertTrue(difference.isEqual());
         assertEquals(48, difference.count(ModelDifference.Change.SAME));
         assertEquals(0.0, difference.getWhole().difference(Measure.AREA));
+    }
+
+    @Test
+    void drawingsAreWrittenToStreams() throws Exception {
+        PictureSettings settings = new PictureSettings(64, 48).with(PictureParameters.EDGES, true);
+        ByteArrayOutputStream output = new ByteArrayOutputStream();
+        LoadedScene teapot = new LoadedScene(Scenes.teapot(), List.of());
+        assertNull(settings.drawing(teapot).writeSvg(output));
+        assertTrue(output.toString().endsWith("</svg>\n"));
     }
 
     @Test

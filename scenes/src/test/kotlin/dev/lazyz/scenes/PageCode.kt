@@ -11,7 +11,9 @@ import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.lighting.GroundShadow
 import dev.lazyz.scenes.aov.AovFiles
 import dev.lazyz.scenes.aov.AovPicture
+import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
+import dev.lazyz.scenes.pictures.PictureStyle
 import dev.lazyz.scenes.writers.writePng
 import dev.lazyz.sections.Section
 import dev.lazyz.sections.SectionPlane
@@ -45,6 +47,11 @@ internal object PageCode {
         val drawing = EdgeStyle().withWidth(1.5).withHidden(HiddenLines.DASHED).drawnOn(half.scene)
         val image = SuperSampling(4).frame(drawing, Raster(640, 480)).render(TiledRenderer())
         return image
+    }
+
+    fun vectors(path: Path) {
+        val settings = PictureSettings().with(PictureParameters.STYLE, PictureStyle.TECHNICAL)
+        settings.drawing(Scenes.load(path)).writeSvg(Path.of("part.svg"))
     }
 
     fun light(scene: Scene): Scene {

@@ -4,6 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.cli.input.FrameSource
+import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.Statistics
 import dev.lazyz.cli.output.StatisticsTable
@@ -44,11 +45,7 @@ internal class InputPictures(
         val pictures = Pictures(view, statistics)
         when (plan.kind) {
             Kind.STILLS -> for ((frame, file) in view.files.withIndex()) {
-                pictures.render(frame) { shot, render ->
-                    val warnings = PictureFile.warnings(file, shot.pixels, shot.alpha)
-                    warnings.forEach { streams.warning(view.labels[frame], it) }
-                    PictureFile.write(file, shot.pixels, shot.alpha, render)
-                }
+                if (PictureFile.isDrawing(file)) draw(view, file) else still(view, frame, file, pictures)
                 files.add(file)
             }
 
@@ -65,6 +62,24 @@ internal class InputPictures(
                 }
             }
         }
+    }
+
+    private fun still(view: ViewPlan, frame: Int, file: Path, pictures: Pictures) {
+        pictures.render(frame) { shot, render ->
+            val warnings = PictureFile.warnings(file, shot.pixels, shot.alpha)
+            warnings.forEach { streams.warning(view.labels[frame], it) }
+            PictureFile.write(file, shot.pixels, shot.alpha, render)
+        }
+    }
+
+    private fun draw(view: ViewPlan, file: Path) = shares.threads.forPicture { threads ->
+        val choices = request.choices.sharing(threads)
+        val label = view.labels.single()
+        val drawing = source.drawing(loaded, choices.options(), view.view, label)
+        val choice = StrategyChoice(request.strategy, choices)
+        drawing.picture?.let { requireMemory(choice.strategyFor(it.frame), it) }
+        request.blanks.report(BlankPictures.reason(PictureFile.write(file, drawing, choice)), streams, label)
+        count(done++)
     }
 
     private fun animate(file: Path, pictures: Pictures) {

@@ -38,6 +38,7 @@ import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputTemplate
 import dev.lazyz.cli.output.Streams
+import dev.lazyz.cli.render.PictureFile
 import dev.lazyz.cli.render.ReferenceRequest
 import dev.lazyz.cli.render.RenderJob
 import dev.lazyz.cli.render.RenderRequest
@@ -53,6 +54,7 @@ import dev.lazyz.scenes.pictures.ParameterGroup
 import dev.lazyz.scenes.pictures.PictureParameters.AA
 import dev.lazyz.scenes.pictures.PictureParameters.FORMAT
 import dev.lazyz.scenes.pictures.PictureParameters.OPAQUE
+import dev.lazyz.scenes.pictures.PictureParameters.SCALE
 import dev.lazyz.scenes.pictures.PictureParameters.SHADING_RATE
 import dev.lazyz.scenes.pictures.PictureParameters.SIZE
 import dev.lazyz.scenes.pictures.PictureParameters.VIEW
@@ -80,6 +82,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     private val light by ParameterOptions(ParameterGroup.LIGHT)
     private val camera by CameraOptions()
     private val lines by ParameterOptions(ParameterGroup.LINES)
+    private val paper by ParameterOptions(ParameterGroup.PAPER)
     private val rendering by RenderingOptions()
     private val memory by MemoryOptions()
     private val cost by CostOptions()
@@ -92,7 +95,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         // Rates are about the nearest surface. The colours of a count are names of numbers, which must not be mixed
         val plain = if (rendering.isSelecting) usual.withDefault(SHADING_RATE, ShadingRate.SAMPLE) else usual
         val start = if (rendering.selector == Selector.count()) plain.withDefault(AA, 1) else plain
-        listOf(reading, picture, light, camera, lines).fold(start) { all, group -> group.addTo(all) }
+        listOf(reading, picture, light, camera, lines, paper).fold(start) { all, group -> group.addTo(all) }
     }
 
     override fun help(context: Context): String =
@@ -107,6 +110,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         "zcli render model.glb --size 512x512 --background transparent -o model.png" to "a thumbnail for a web page",
         "zcli render city -o city.png --depth-out city.pfm --stats=json" to "also depth and statistics, for a script",
         "zcli render city -o city.png --aov depth,normal,object=city.npz" to "data of each pixel, for NumPy",
+        "zcli render part.stl --style technical --scale 1:2 -o part.svg" to "a drawing to print, as vectors",
         "zcli render city --size 8000x6000 --region 4000,2000,640x480 -o detail.png" to "a part of a large picture",
         "zcli render city --size 100000 -o huge.dzi --resume" to "ten gigapixels, for a viewer in a browser",
         "zcli render city --size 20000 --memory 128m --explain -o large.png" to "in 128 MiB, and how",
@@ -140,6 +144,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
             )
         }
 
+        requireKindOfFile()
         val named = NamedInputs(inputs, settings[FORMAT])
         val series = several.series()
         val isSingle = named.isSingle && several.views == null && series.turntable == null && !series.isSheet &&
@@ -154,6 +159,31 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         }
         if (code != ExitCode.DONE) throw ProgramResult(code)
     }
+
+    /** Checks that no option is about another kind of file. */
+    private fun requireKindOfFile() {
+        if (output.picture?.let { PictureFile.isDrawing(Path.of(it)) } != true) {
+            if (settings[SCALE] != null) throw Mistake("--scale is for drawings: use -o with .svg")
+            return
+        }
+        val others = listOfNotNull(
+            output.stats?.let { "--stats" }, rendering.selector?.let { "--select" },
+            several.series().turntable?.let { "--turntable" },
+        )
+        val option = (alone() + others).firstOrNull() ?: return
+        throw Mistake("$option is for pictures of pixels, and .svg is a drawing; use -o with .png")
+    }
+
+    /** The options that were given of those for a single picture. */
+    private fun alone(): List<String> = listOfNotNull(
+        output.depth?.let { "--depth-out" },
+        aovs.outputs.files.firstOrNull()?.first?.substringBefore(' '),
+        reference.request(args)?.let { "--ref" },
+        if (rendering.isExplained) "--explain" else null,
+        streaming.request?.let { "--stream" },
+        if (output.isResumed) Resumption.OPTION else null,
+        memory.bytes?.let { "--memory" },
+    )
 
     /** Reports a form of statistics that is separated from `--stats`, so that it is taken as an input. */
     private fun requireAttachedForm() {
@@ -184,15 +214,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     private fun several(named: NamedInputs, blanks: BlankPictures): BatchRequest {
         val series = several.series()
         val views = several.views.orEmpty()
-        val alone = listOfNotNull(
-            output.depth?.let { "--depth-out" },
-            aovs.outputs.files.firstOrNull()?.first?.substringBefore(' '),
-            reference.request(args)?.let { "--ref" },
-            if (rendering.isExplained) "--explain" else null,
-            streaming.request?.let { "--stream" },
-            if (output.isResumed) Resumption.OPTION else null,
-            memory.bytes?.let { "--memory" },
-        )
+        val alone = alone()
         if (alone.isNotEmpty()) throw Mistake("${alone[0]} is for a single picture, and this renders several")
         settings.check()
         val directed = settings.directed
@@ -234,10 +256,10 @@ private class OutputOptions : OptionGroup("Output") {
         "--output",
         metavar = "OUT",
         completionCandidates = CompletionCandidates.Path,
-        help = "The file for the picture: .png, .ppm or .dzi (a Deep Zoom pyramid, for web viewers), or - for PNG to " +
-            "standard output; default: INPUT's name with .png in the current folder, if that file does not exist " +
-            "yet; none with --ref. For several pictures, with {dir}, {stem}, {name} or {ext} of INPUT, {view}, " +
-            "{index} or {frame}",
+        help = "The file for the picture: .png, .ppm, .dzi (a Deep Zoom pyramid, for web viewers) or .svg (lines as " +
+            "vectors, with --edges, --wireframe or --style technical), or - for PNG to standard output; default: " +
+            "INPUT's name with .png in the current folder, if that file does not exist yet; none with --ref. For " +
+            "several pictures, with {dir}, {stem}, {name} or {ext} of INPUT, {view}, {index} or {frame}",
     )
 
     val isResumed by option(

@@ -11,6 +11,7 @@ import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.StreamedScene
 import dev.lazyz.scenes.pictures.ParameterGroup
+import dev.lazyz.scenes.pictures.PictureDrawing
 import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.pictures.PictureParameters
@@ -83,6 +84,14 @@ internal class FrameSource(
      */
     fun frame(loaded: LoadedScene, options: RenderOptions, view: View? = null, name: String? = null): PictureFrame =
         settings(view).frame(loaded, options, observer(name))
+
+    /** Returns the lines of such a picture. */
+    fun drawing(
+        loaded: LoadedScene,
+        options: RenderOptions,
+        view: View? = null,
+        name: String? = null,
+    ): PictureDrawing = settings(view).drawing(loaded, options, observer(name))
 
     /** Returns what prints the messages about a picture. A printed camera begins with [name], unless it is null. */
     fun observer(name: String?): PictureObserver = Messages(name)

@@ -34,6 +34,9 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
         else -> Path.of(output)
     }
 
+    /** The file if the picture is a drawing, or null. */
+    val drawing: Path? = picture?.takeIf(PictureFile::isDrawing)
+
     /** All files that are written, each with its option. */
     private val files: List<Pair<String, Path>> = listOfNotNull(
         picture?.let { "-o" to it },

@@ -2,6 +2,10 @@ package dev.lazyz.cli.render
 
 import dev.lazyz.Region
 import dev.lazyz.RowSink
+import dev.lazyz.cli.strategies.Strategies
+import dev.lazyz.cli.strategies.StrategyChoice
+import dev.lazyz.scenes.pictures.Blank
+import dev.lazyz.scenes.pictures.PictureDrawing
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.ImageFiles
 import dev.lazyz.scenes.writers.ImageFormat
@@ -16,13 +20,17 @@ import kotlin.io.path.extension
 /** Writes pictures to files; a file appears when it is complete. */
 internal object PictureFile {
     private const val GIGAPIXEL = 1e9
+    private const val DRAWING = "svg"
     private const val PYRAMID = ".${DeepZoomFiles.EXTENSION}"
 
     /** What the names of pictures may end in. */
-    val ENDINGS: List<String> = listOf(".png", ".ppm", PYRAMID)
+    val ENDINGS: List<String> = listOf(".png", ".ppm", PYRAMID, ".$DRAWING")
 
     /** Whether [path] names a Deep Zoom pyramid: a file and a folder. */
     fun isPyramid(path: Path): Boolean = path.extension.equals(DeepZoomFiles.EXTENSION, ignoreCase = true)
+
+    /** Whether [path] names a drawing, whose lines are vectors. */
+    fun isDrawing(path: Path): Boolean = path.extension.equals(DRAWING, ignoreCase = true)
 
     /** Returns what is replaced if a picture is written to [path]: the file, and the folder of a pyramid's tiles. */
     fun places(path: Path): List<Path> =
@@ -62,6 +70,18 @@ internal object PictureFile {
     fun <T> write(path: Path, region: Region, alpha: AlphaChannel, render: (RowSink) -> T): T {
         if (isPyramid(path)) return DeepZoomFiles.write(path, region.width, region.height, alpha, render)
         return ImageFiles.write(path, region.width, region.height, alpha = alpha, produce = render)
+    }
+
+    /**
+     * Writes [drawing] to [path]; a strategy of [choice] renders what is below the lines.
+     *
+     * @return why there is nothing to see, or null
+     */
+    fun write(path: Path, drawing: PictureDrawing, choice: StrategyChoice): Blank? {
+        val below = drawing.picture ?: return drawing.writeSvg(path)
+        val strategy = choice.strategyFor(below.frame)
+        Strategies.requireMemory(strategy, below.frame.region, aa = below.factor)
+        return drawing.writeSvg(path, strategy)
     }
 
     /**

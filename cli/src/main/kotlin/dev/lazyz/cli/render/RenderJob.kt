@@ -5,6 +5,7 @@ import dev.lazyz.RowSink
 import dev.lazyz.cli.diff.DifferenceText
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.TimeLimit
+import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Progress
 import dev.lazyz.cli.output.Statistics
@@ -15,6 +16,7 @@ import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.scenes.LoadedScene
+import java.nio.file.Path
 import kotlinx.serialization.json.JsonObject
 
 /** One run of `zcli render`: reads, sets up, chooses a strategy, renders to all sinks at once, compares, reports. */
@@ -72,6 +74,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
     private fun run(loaded: LoadedScene, streaming: StreamRequest?): Int {
         // Set up, and choose a strategy that supports the frame
         source.requireKept(loaded, outputs.replaced)
+        outputs.drawing?.let { return draw(it, loaded) }
         val start = System.nanoTime()
         planning?.requireSetUp(loaded)
         val shot = prepared(isWhole = streaming == null) { source.frame(loaded, request.choices.options()) }
@@ -118,6 +121,14 @@ internal class RenderJob(private val request: RenderRequest, private val streams
             printStatistics(request.stats, statistics, comparison?.toJson())
         }
         return request.blanks.code(if (difference?.isMatch == false) ExitCode.DIFFERENT else ExitCode.DONE)
+    }
+
+    /** Writes the lines of [loaded] to [file]. */
+    private fun draw(file: Path, loaded: LoadedScene): Int {
+        val drawing = prepared(isWhole = true) { source.drawing(loaded, request.choices.options()) }
+        request.blanks.report(BlankPictures.reason(PictureFile.write(file, drawing, choice)), streams)
+        outputs.describe(drawing.pixels)
+        return request.blanks.code(ExitCode.DONE)
     }
 
     /** What receives the [pixels]; those that are kept to be compared, and other data of each of them. */

@@ -42,7 +42,8 @@ class BatchMistakesTest {
             zcli("trace", "teapot", "-o", "$out/a.jpg"),
         )
         for (run in several) assertFalse("standard output" in run.mistake("-o must end in .").errors, run.errors)
-        render("teapot", "-o", "$out/a.gif").mistake("-o must end in .png or .ppm or .dzi, or be - for standard output")
+        render("teapot", "-o", "$out/a.gif")
+            .mistake("-o must end in .png or .ppm or .dzi or .svg, or be - for standard output")
     }
 
     @Test

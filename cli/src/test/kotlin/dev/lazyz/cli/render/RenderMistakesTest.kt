@@ -148,7 +148,7 @@ class RenderMistakesTest {
 
     @Test
     fun outputs() {
-        val endings = "-o must end in .png or .ppm or .dzi, or be - for standard output"
+        val endings = "-o must end in .png or .ppm or .dzi or .svg, or be - for standard output"
         render("-o", folder.resolve("x.jpg")).mistake(endings)
         render("-o", folder.resolve("png")).mistake("-o must end in .png")
         render("-o", folder.resolve(".png")).mistake("-o must end in .png")

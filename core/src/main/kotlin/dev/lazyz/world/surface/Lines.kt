@@ -89,7 +89,8 @@ public class Lines @JvmOverloads constructor(
 
     override fun hasUvs(set: Int): Boolean = false
 
-    override fun withoutColors(): Lines = Lines(positions, segments, width, material, null, origin, name)
+    override fun withoutColors(): Lines =
+        if (colors == null) this else Lines(positions, segments, width, material, null, origin, name)
 
     override fun withName(name: String): Lines = Lines(positions, segments, width, material, colors, origin, name)
 

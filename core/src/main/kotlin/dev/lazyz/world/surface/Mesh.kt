@@ -114,8 +114,11 @@ public class Mesh @JvmOverloads constructor(
 
     override fun hasUvs(set: Int): Boolean = (if (set == 0) uvs else uvs2) != null
 
-    override fun withoutColors(): Mesh =
+    override fun withoutColors(): Mesh = if (colors == null) {
+        this
+    } else {
         Mesh(positions, triangles, material, normals, uvs, null, origin, uvs2, tangents, name)
+    }
 
     override fun withName(name: String): Mesh =
         Mesh(positions, triangles, material, normals, uvs, colors, origin, uvs2, tangents, name)

@@ -85,7 +85,8 @@ public class Points @JvmOverloads constructor(
 
     override fun hasUvs(set: Int): Boolean = false
 
-    override fun withoutColors(): Points = Points(positions, size, material, normals, null, origin, name)
+    override fun withoutColors(): Points =
+        if (colors == null) this else Points(positions, size, material, normals, null, origin, name)
 
     override fun withName(name: String): Points = Points(positions, size, material, normals, colors, origin, name)
 

@@ -25,13 +25,24 @@ import org.joml.Vector3dc
  * @property material the appearance
  * @property fillRule which samples are inside
  * @property name see [Surface.name]
+ * @property isCap whether it is a cap that a section made; functions that return a changed polygon keep it
  */
-public class Polygon @JvmOverloads constructor(
+public class Polygon internal constructor(
     public val contours: List<List<Vertex>>,
-    override val material: Material = Material(),
-    public val fillRule: FillRule = FillRule.EVEN_ODD,
-    override val name: String = "",
+    override val material: Material,
+    public val fillRule: FillRule,
+    override val name: String,
+    public val isCap: Boolean,
 ) : Surface {
+    /** Creates a polygon that is no cap. */
+    @JvmOverloads
+    public constructor(
+        contours: List<List<Vertex>>,
+        material: Material = Material(),
+        fillRule: FillRule = FillRule.EVEN_ODD,
+        name: String = "",
+    ) : this(contours, material, fillRule, name, isCap = false)
+
     override val setUpBytes: Long get() = HeapLayout.SHAPE + HeapLayout.CORNER * contours.sumOf { it.size }
 
     override val bounds: Box? by lazy {
@@ -57,28 +68,26 @@ public class Polygon @JvmOverloads constructor(
     override fun primitives(setUp: SetUp): Sequence<Primitive> = sequenceOf(this).map { setUp.polygon(it) }
 
     override fun withMaterials(change: UnaryOperator<Material>): Polygon =
-        Polygon(contours, change.apply(material), fillRule, name)
+        Polygon(contours, change.apply(material), fillRule, name, isCap)
 
-    override fun withUpAxis(up: UpAxis): Polygon =
-        Polygon(contours.map { contour -> contour.map { it.withUpAxis(up) } }, material, fillRule, name)
+    override fun withUpAxis(up: UpAxis): Polygon = changed { it.withUpAxis(up) }
 
     override fun withoutColors(): Polygon {
-        val plain = contours.map { contour -> contour.map { Vertex(it.x, it.y, it.z, it.u, it.v) } }
-        return Polygon(plain, material, fillRule, name)
+        val hasNone = contours.all { contour -> contour.all { it.color == Rgba.WHITE } }
+        return if (hasNone) this else changed { Vertex(it.x, it.y, it.z, it.u, it.v) }
     }
 
-    override fun withName(name: String): Polygon = Polygon(contours, material, fillRule, name)
+    override fun withName(name: String): Polygon = Polygon(contours, material, fillRule, name, isCap)
 
     /** Returns this polygon transformed by an affine [transform]. */
-    public fun transformed(transform: Matrix4dc): Polygon =
-        Polygon(contours.map { contour -> contour.map { it.transformed(transform) } }, material, fillRule, name)
+    public fun transformed(transform: Matrix4dc): Polygon = changed { it.transformed(transform) }
 
     /** Returns this polygon relative to [origin]. */
-    internal fun relativeTo(origin: Vector3dc): Polygon = if (Vectors.isZero(origin)) {
-        this
-    } else {
-        Polygon(contours.map { contour -> contour.map { it.relativeTo(origin) } }, material, fillRule, name)
-    }
+    internal fun relativeTo(origin: Vector3dc): Polygon =
+        if (Vectors.isZero(origin)) this else changed { it.relativeTo(origin) }
+
+    private inline fun changed(change: (Vertex) -> Vertex): Polygon =
+        Polygon(contours.map { contour -> contour.map(change) }, material, fillRule, name, isCap)
 
     override fun toString(): String = "Polygon(${contours.map { it.size }} vertices, $fillRule, $material)"
 

@@ -95,7 +95,7 @@ internal object SceneReading {
             val scene = parser.parse(source)
             return LoadedScene(
                 scene, source.warnings,
-                cameras = source.cameras.toList(), files = source.files, format = format,
+                cameras = source.cameras.toList(), files = source.files, format = format, unit = source.unit,
             )
         } catch (e: OutOfMemoryError) {
             val most = source.loading.limits.usableMemory

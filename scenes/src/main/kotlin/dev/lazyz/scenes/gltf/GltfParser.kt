@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.gltf
 
+import dev.lazyz.scenes.LengthUnit
 import dev.lazyz.scenes.gltf.animation.GltfAnimation
 import dev.lazyz.scenes.gltf.document.GltfAccessors
 import dev.lazyz.scenes.gltf.document.GltfCompressedViews
@@ -34,6 +35,7 @@ import dev.lazyz.world.Scene
  */
 internal object GltfParser : SceneParser {
     override fun parse(source: Source): Scene {
+        source.unit = LengthUnit.METRE
         val document = GltfContainer.open(source)
         GltfExtensions.check(document)
         val accessors = GltfAccessors(document)

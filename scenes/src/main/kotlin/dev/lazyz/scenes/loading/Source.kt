@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.loading
 
+import dev.lazyz.scenes.LengthUnit
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.NamedCamera
 import dev.lazyz.scenes.SceneFormatException
@@ -49,6 +50,9 @@ internal class Source(
 
     /** Cameras of the model so far; reported by [LoadedScene.cameras]. */
     val cameras = ArrayList<NamedCamera>()
+
+    /** The unit of lengths, if it is known; reported by [LoadedScene.unit]. */
+    var unit: LengthUnit? = null
 
     /** The files that it refers to, found so far; reported by [LoadedScene.files]. */
     val files: List<Path> get() = loading.files.toList()

@@ -145,6 +145,19 @@ internal class RegionValues : ParameterValues<Region>("X,Y,WxH") {
     }
 }
 
+/** A scale: `1:2`, or `2.5:1`. */
+internal class ScaleValues : ParameterValues<DrawingScale>("PAPER:MODEL") {
+    override fun read(word: String): DrawingScale {
+        val numbers = word.split(':').mapNotNull(::decimal)
+        if (numbers.size != 2 || word.count { it == ':' } != 1) unfit("'$word' is not PAPER:MODEL, such as 1:2")
+        return try {
+            DrawingScale(numbers[0], numbers[1])
+        } catch (_: IllegalArgumentException) {
+            unfit("both numbers must be above 0: $word")
+        }
+    }
+}
+
 /** A point or a direction: `1,-2.5,0`. */
 internal class VectorValues : ParameterValues<Vector3dc>("X,Y,Z") {
     override fun read(word: String): Vector3dc {

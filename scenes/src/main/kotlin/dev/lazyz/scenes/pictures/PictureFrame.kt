@@ -155,6 +155,12 @@ public open class PictureObserver @JvmOverloads constructor(
     public open fun setUp(size: ImageSize): Unit = Unit
 }
 
+/** A model that cannot be shown with the [PictureSettings]. The message says why, in words for the user. */
+public class NoPictureException internal constructor(message: String, cause: Throwable? = null) :
+    IllegalArgumentException(message, cause)
+
+internal fun refuse(message: String): Nothing = throw NoPictureException(message)
+
 /** Why there is nothing to see in a picture. */
 public enum class Blank {
     /** No primitive is visible. */

@@ -38,6 +38,7 @@ public enum class ParameterGroup(public val title: String) {
     LIGHT("Light"),
     CAMERA("Camera"),
     LINES("Lines and sections"),
+    PAPER("Drawings on paper"),
     ;
 
     /** The parameters of this group, in the order of the table. */

@@ -10,6 +10,7 @@ import dev.lazyz.filter.SuperSampling.ShadingRate
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.LengthUnit
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.pictures.NamedValues.Companion.list
 import dev.lazyz.scenes.pictures.NamedValues.Companion.words
@@ -403,6 +404,29 @@ public object PictureParameters {
         "that of the material, darker; with --style technical: hatched",
     )
 
+    init {
+        group = ParameterGroup.PAPER
+    }
+
+    /** Lengths on paper. */
+    @JvmField
+    public val SCALE: PictureParameter<DrawingScale> = row(
+        "scale", ScaleValues(),
+        "Lengths on the paper and in the model, such as 1:2, for an .svg file of an orthographic picture, which then " +
+            "has its size in millimetres",
+        "its size is in pixels",
+        file = "whoever renders decides",
+    )
+
+    /** The unit of lengths in the model. */
+    @JvmField
+    public val UNIT: PictureParameter<LengthUnit> = row(
+        "unit", NamedValues("UNIT", LengthUnit.entries.associateBy { it.symbol }),
+        "The unit of lengths in INPUT, for --scale: ${list(LengthUnit.entries.map { it.symbol })}",
+        "that of the file (3MF; metres for glTF), or mm",
+        file = "whoever renders decides",
+    )
+
     /** All parameters, in the order in which the help shows them. */
     @JvmField
     public val all: List<PictureParameter<*>> = rows
@@ -414,7 +438,9 @@ public object PictureParameters {
         default: String? = null,
         file: String? = if (group == ParameterGroup.CAMERA) "has `camera`" else null,
     ): PictureParameter<T> {
-        val missing = if (file == null) emptyMap() else mapOf(PictureDoor.SCENE_FILE to file)
+        val door = if (group == ParameterGroup.PAPER) "has no drawings" else null
+        val reasons = listOf(PictureDoor.SERVICE to door, PictureDoor.SPARK to door, PictureDoor.SCENE_FILE to file)
+        val missing = reasons.mapNotNull { (where, why) -> why?.let { where to it } }.toMap()
         return PictureParameter(name, group, values, help, default, missing).also { rows.add(it) }
     }
 

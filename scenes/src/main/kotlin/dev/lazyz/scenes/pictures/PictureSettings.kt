@@ -245,6 +245,8 @@ public class PictureSettings private constructor(
             val lines = if (own[CREASE_ANGLE] != null) edges else "$edges, $wireframe"
             refuse("$lonely needs $lines or ${names.of(STYLE, "technical")}")
         }
+        val onPaper = firstGiven(SCALE, UNIT)
+        if (own[SCALE] == null && onPaper != null) refuse("$onPaper needs ${names.of(SCALE)}")
         if (own[HIDDEN_COLOR] != null && (own[HIDDEN_LINES] ?: HiddenLines.NONE) == HiddenLines.NONE) {
             refuse("${names.of(HIDDEN_COLOR)} needs ${names.of(HIDDEN_LINES, "dashed")} or solid")
         }
@@ -269,6 +271,20 @@ public class PictureSettings private constructor(
     ): PictureFrame = PictureSteps(this, loaded, options, observer).frame(null)
 
     /**
+     * Computes the lines of [loaded] in the picture of these settings, as vectors: what `zcli render` writes to an SVG
+     * file. Throws like [frame].
+     *
+     * @throws NoPictureException also if the settings have no lines, see [hasEdges]
+     */
+    @JvmOverloads
+    @Throws(InterruptedException::class)
+    public fun drawing(
+        loaded: LoadedScene,
+        options: RenderOptions = RenderOptions(),
+        observer: PictureObserver = PictureObserver(),
+    ): PictureDrawing = PictureSteps(this, loaded, options, observer).drawing()
+
+    /**
      * Returns the pictures of a turn around [loaded] in equal [steps]. These settings choose the side at which it
      * begins.
      *
@@ -291,9 +307,3 @@ public class PictureSettings private constructor(
         private val DEFAULTED = listOf(PictureParameters.SIZE, PictureParameters.AA, PictureParameters.SHADING_RATE)
     }
 }
-
-/** A model that cannot be shown with the [PictureSettings]. The message says why, in words for the user. */
-public class NoPictureException internal constructor(message: String, cause: Throwable? = null) :
-    IllegalArgumentException(message, cause)
-
-internal fun refuse(message: String): Nothing = throw NoPictureException(message)

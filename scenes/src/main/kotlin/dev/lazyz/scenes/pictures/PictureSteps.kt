@@ -20,8 +20,6 @@ import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Scenes
-import dev.lazyz.sections.Hatching
-import dev.lazyz.sections.Section
 import dev.lazyz.sections.SectionPlane
 import dev.lazyz.spi.Shader
 import dev.lazyz.world.Camera
@@ -61,7 +59,6 @@ internal class PictureSteps(
     private val settings = chosen.withFile(loaded.picture)
     private val names = settings.names
     private val style = settings[PictureParameters.STYLE]
-    private val isTechnical = style == PictureStyle.TECHNICAL
 
     /** Whether there is more to see than surfaces of the model: edges, or a shadow on the ground. */
     val hasExtras: Boolean get() = settings.hasEdges || settings.hasGroundShadow
@@ -69,9 +66,36 @@ internal class PictureSteps(
     /** Sets up the picture, at a step of a turntable if [turn] makes a camera for it. */
     fun frame(turn: ((FittedViewpoint) -> Viewpoint)?): PictureFrame {
         val shown = Shown(turn)
+        val scene = finished(shown)
+        val edges = edges(scene, shown.raster) ?: return frame(scene, shown)
+        return frame(scene.withSurfaces(scene.surfaces + edges), shown)
+    }
+
+    private fun finished(shown: Shown): Scene {
         val shadowed = shown.shadowed()
         observer.camera(shadowed.viewpoint as Camera, shown.up)
-        return frame(drawn(toned(shadowed), shown.raster), shown)
+        return toned(shadowed)
+    }
+
+    /** Computes the lines of the picture. */
+    fun drawing(): PictureDrawing {
+        if (!settings.hasEdges) {
+            val lines = "${names.of(PictureParameters.EDGES)}, ${names.of(PictureParameters.WIREFRAME)}"
+            refuse("there are no lines to draw: add $lines or ${names.of(PictureParameters.STYLE, "technical")}")
+        }
+        val shown = Shown(null)
+        val scene = finished(shown)
+        val raster = shown.raster
+        val camera = scene.viewpoint as Camera
+        val pixelSize = PictureDrawing.pixelSize(settings, loaded.unit, camera, raster)
+        val edges = checkNotNull(edges(scene, raster))
+        val isOnPaper = style == PictureStyle.TECHNICAL &&
+            settings[PictureParameters.BACKGROUND]?.gradient == null && PictureDrawing.isOnPaper(scene, raster)
+        return PictureDrawing(
+            edges.style, edges.lines(raster, camera, options),
+            if (isOnPaper) edges.caps(raster, camera) else emptyList(), region(raster), pixelSize,
+            raster.background.alpha > 0f, if (isOnPaper) null else frame(scene, shown),
+        )
     }
 
     /** Sets up a picture of the surfaces of the model alone. */
@@ -109,7 +133,7 @@ internal class PictureSteps(
             }
 
             // Colours of the style, cuts, camera, axis, sizes, paint, shading
-            val cut = cut(style?.painted(loaded.scene) ?: loaded.scene)
+            val cut = PictureCuts(settings, observer).of(style?.painted(loaded.scene) ?: loaded.scene, planes())
             val seen = sized(camera.applyTo(loaded.withScene(cut), up, turn))
             val shaded = shaded(painted(seen))
 
@@ -127,41 +151,6 @@ internal class PictureSteps(
 
     private fun planes(): List<SectionPlane> =
         stage?.planes ?: settings[PictureParameters.CUT].orEmpty().map { it.plane(loaded.scene) }
-
-    private fun cut(scene: Scene): Scene {
-        val cuts = settings[PictureParameters.CUT] ?: return scene
-        if (scene.isOnScreen) refuse("${names.of(PictureParameters.CUT)}: a scene given on the screen cannot be cut")
-        val planes = planes()
-        for ((cut, plane) in cuts.zip(planes)) {
-            if (!isKept(scene, plane)) continue
-            val word = names.of(PictureParameters.CUT, cut)
-            observer.warning("$word removes nothing: the input is on the other side")
-        }
-        val cut = Section(planes) { cap(it, scene) }.of(scene)
-        cut.warnings.forEach(observer::warning)
-        return cut.scene
-    }
-
-    /** Returns whether nothing of [scene] is beyond [plane]. */
-    private fun isKept(scene: Scene, plane: SectionPlane): Boolean {
-        val farthest = scene.farthest(plane.normal) ?: return false
-        return plane.normal.dot(farthest) <= plane.distance
-    }
-
-    private fun cap(material: Material, scene: Scene): Material {
-        val color = settings[PictureParameters.CAP_COLOR]
-        return when {
-            color != null && isTechnical -> Material(color, shading = Shading.CONSTANT)
-            color != null -> Section.capColor(material, color)
-            isTechnical -> hatching(scene).material()
-            else -> Section.darkened(material)
-        }
-    }
-
-    private fun hatching(scene: Scene): Hatching {
-        val size = scene.bounds?.let { maxOf(it.maxX - it.minX, it.maxY - it.minY, it.maxZ - it.minZ) } ?: 0.0
-        return Hatching(if (size > 0.0) size / HATCHES else 1.0, HATCH_SHARE, Rgba.ofRgb(HATCH_COLOR), Rgba.WHITE)
-    }
 
     private fun sized(scene: Scene): Scene {
         val point = settings[PictureParameters.POINT_SIZE]
@@ -296,9 +285,9 @@ internal class PictureSteps(
         return scene.withToneMapping(ToneMapping(curve ?: own.curve, exposure ?: own.exposure))
     }
 
-    /** Returns [scene] with edges, for the pixels of [raster]. */
-    private fun drawn(scene: Scene, raster: Raster): Scene {
-        if (!settings.hasEdges) return scene
+    /** Returns the chosen edges of [scene], for the pixels of [raster], or null if there are none. */
+    private fun edges(scene: Scene, raster: Raster): EdgeDrawing? {
+        if (!settings.hasEdges) return null
         val isWireframe = settings.has(PictureParameters.WIREFRAME)
         val edges = EdgeStyle(
             if (isWireframe) EdgeSet.ALL else EdgeSet.FEATURES,
@@ -308,7 +297,7 @@ internal class PictureSteps(
             settings[PictureParameters.HIDDEN_LINES] ?: HiddenLines.NONE,
             settings[PictureParameters.HIDDEN_COLOR] ?: EdgeStyle.HIDDEN_GREY,
         )
-        return scene.withSurfaces(scene.surfaces + EdgeDrawing(scene.surfaces, edges))
+        return EdgeDrawing(scene.surfaces, edges)
     }
 
     private fun region(raster: Raster): Region {
@@ -342,12 +331,5 @@ internal class PictureSteps(
         val pixel = names.of(PictureParameters.SHADING_RATE, "pixel")
         val sample = names.of(PictureParameters.SHADING_RATE, "sample")
         refuse("$pixel: the scene is translucent; use $sample, or ${names.of(PictureParameters.OPAQUE)}")
-    }
-
-    private companion object {
-        /** Number of stripes of a cap along the model, the part of it that they cover, and their colour. */
-        const val HATCHES = 40
-        const val HATCH_SHARE = 0.2
-        const val HATCH_COLOR = 0x606060
     }
 }

@@ -2,8 +2,12 @@ package dev.lazyz.scenes.pictures
 
 import dev.lazyz.Rgba
 import dev.lazyz.filter.VerticalGradient
+import dev.lazyz.sections.Hatching
+import dev.lazyz.sections.Section
 import dev.lazyz.sections.SectionPlane
 import dev.lazyz.world.Scene
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.Shading
 import org.joml.Vector3d
 
 /**
@@ -100,6 +104,73 @@ public class CutPlane private constructor(public val text: String, private val p
             return CutPlane(text) { SectionPlane(Vector3d(a, b, c), d / length) }
         }
     }
+}
+
+/** The cuts that [settings] choose, and their caps. Warnings go to [observer]. */
+internal class PictureCuts(private val settings: PictureSettings, private val observer: PictureObserver) {
+    private val names = settings.names
+    private val isTechnical = settings[PictureParameters.STYLE] == PictureStyle.TECHNICAL
+
+    /** Returns [scene] without what is beyond [planes], one for each cut, or [scene] itself if there is no cut. */
+    fun of(scene: Scene, planes: List<SectionPlane>): Scene {
+        val cuts = settings[PictureParameters.CUT] ?: return scene
+        if (scene.isOnScreen) refuse("${names.of(PictureParameters.CUT)}: a scene given on the screen cannot be cut")
+        for ((cut, plane) in cuts.zip(planes)) {
+            if (!isKept(scene, plane)) continue
+            val word = names.of(PictureParameters.CUT, cut)
+            observer.warning("$word removes nothing: the input is on the other side")
+        }
+        val cut = Section(planes) { cap(it, scene) }.of(scene)
+        cut.warnings.forEach(observer::warning)
+        return cut.scene
+    }
+
+    /** Returns whether nothing of [scene] is beyond [plane]. */
+    private fun isKept(scene: Scene, plane: SectionPlane): Boolean {
+        val farthest = scene.farthest(plane.normal) ?: return false
+        return plane.normal.dot(farthest) <= plane.distance
+    }
+
+    private fun cap(material: Material, scene: Scene): Material {
+        val color = settings[PictureParameters.CAP_COLOR]
+        return when {
+            color != null && isTechnical -> Material(color, shading = Shading.CONSTANT)
+            color != null -> Section.capColor(material, color)
+            isTechnical -> hatching(scene).material()
+            else -> Section.darkened(material)
+        }
+    }
+
+    private fun hatching(scene: Scene): Hatching {
+        val size = scene.bounds?.let { maxOf(it.maxX - it.minX, it.maxY - it.minY, it.maxZ - it.minZ) } ?: 0.0
+        return Hatching(if (size > 0.0) size / HATCHES else 1.0, HATCH_SHARE, Rgba.ofRgb(HATCH_COLOR), Rgba.WHITE)
+    }
+
+    private companion object {
+        /** Number of stripes of a cap along the model, the part of it that they cover, and their colour. */
+        const val HATCHES = 40
+        const val HATCH_SHARE = 0.2
+        const val HATCH_COLOR = 0x606060
+    }
+}
+
+/**
+ * How long lengths are on paper. Immutable.
+ *
+ * @property paper a length on paper
+ * @property model the length in the model that it stands for, in the same unit
+ * @throws IllegalArgumentException if one of them is not positive and finite
+ */
+public class DrawingScale(public val paper: Double, public val model: Double) {
+    init {
+        require(paper > 0.0 && model > 0.0 && paper.isFinite() && model.isFinite()) {
+            "both lengths of a scale must be above 0: $paper:$model"
+        }
+    }
+
+    override fun toString(): String = "${plain(paper)}:${plain(model)}"
+
+    private fun plain(length: Double) = if (length % 1.0 == 0.0) "${length.toLong()}" else "$length"
 }
 
 /** Returns the decimal number that [text] is, such as `-2.5` or `.5e3`, or null: other forms do not count. */

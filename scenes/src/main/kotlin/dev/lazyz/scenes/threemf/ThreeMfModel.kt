@@ -2,6 +2,7 @@ package dev.lazyz.scenes.threemf
 
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.Box
+import dev.lazyz.scenes.LengthUnit
 import dev.lazyz.scenes.collections.Floats
 import dev.lazyz.scenes.collections.Ints
 import dev.lazyz.scenes.meshes.ColorNumbers
@@ -17,6 +18,9 @@ internal class ThreeMfModel(val path: String) {
 
     /** The items to build, in order. Only those of the package's main part are used. */
     val items = ArrayList<ObjectReference>()
+
+    /** The unit of lengths. */
+    var unit = LengthUnit.MILLIMETRE
 
     /** Whether the part requires slices to be understood. */
     var requiresSlices = false

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.threemf
 
+import dev.lazyz.scenes.LengthUnit
 import dev.lazyz.scenes.collections.KindCounts
 import org.joml.Matrix4d
 
@@ -17,6 +18,7 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
         part.forEachChild { root ->
             if (root != "model") part.fail("the element is $root, not model", "check what kind of file it is")
             requireExtensions()
+            part.attribute("unit")?.let { model.unit = UNITS[it.trim().lowercase()] ?: model.unit }
             part.forEachChild { name ->
                 when (name) {
                     "resources" -> part.forEachChild { readResource(it) }
@@ -93,6 +95,16 @@ internal class ThreeMfModelReader(private val part: PackagePart, path: String, p
     private companion object {
         /** Elements that do not affect the picture. */
         val IRRELEVANT = setOf("metadata", "metadatagroup", "trianglesets")
+
+        /** The names of units (section 3.3). */
+        val UNITS = mapOf(
+            "micron" to LengthUnit.MICROMETRE,
+            "millimeter" to LengthUnit.MILLIMETRE,
+            "centimeter" to LengthUnit.CENTIMETRE,
+            "meter" to LengthUnit.METRE,
+            "inch" to LengthUnit.INCH,
+            "foot" to LengthUnit.FOOT,
+        )
 
         /** The slice extension; most files that require it contain triangles, too. */
         const val SLICES = "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07"

@@ -20,8 +20,8 @@ import org.joml.Matrix4dc
  * without looks inherits those of the object that contains it as a component. Base materials with an alpha of 0 are
  * treated as opaque. If colours or textures are translucent, so is the material. Of several layers of properties, the
  * last texture is shown, on the mean colour of the layer below it. Supports, beams, slices and everything else that is
- * not a triangle are ignored with a warning. Units are ignored, because they do not change the picture. Normals are
- * smoothed up to creases of [CREASE_ANGLE] degrees.
+ * not a triangle are ignored with a warning. Lengths stay in the unit of the package's main part. Normals are smoothed
+ * up to creases of [CREASE_ANGLE] degrees.
  *
  * The file's z axis points upward. It is not converted.
  */
@@ -51,6 +51,7 @@ internal class ThreeMfBuild(private val source: Source) {
     /** Returns the meshes of all items, in order. */
     fun meshes(): List<Mesh> {
         val root = model(archive.modelPath) ?: source.fail(archive.modelPath, "is missing", "export the model again")
+        source.unit = root.unit
         for (item in root.items) place(item, Matrix4d(), NO_LOOK, "")
         if (models.values.any { it.requiresSlices }) {
             if (placed.isEmpty()) {

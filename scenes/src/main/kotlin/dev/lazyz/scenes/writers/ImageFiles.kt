@@ -86,7 +86,7 @@ public object ImageFiles {
 }
 
 /** Flushes [output] on [close] instead of closing it. */
-private class NonClosingStream(private val output: OutputStream) : OutputStream() {
+internal class NonClosingStream(private val output: OutputStream) : OutputStream() {
     override fun write(byte: Int) = output.write(byte)
 
     override fun write(bytes: ByteArray, offset: Int, length: Int) = output.write(bytes, offset, length)

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.threemf
 
+import dev.lazyz.scenes.LengthUnit
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.formats.FormatSniffer
 import dev.lazyz.scenes.loading.TestSources
@@ -37,6 +38,15 @@ class ThreeMfParserTest {
         assertEquals(listOf(listOf(0f, 0f, 0f), listOf(1f, 0f, 0f), listOf(0f, 1f, 0f)), mesh.corners())
         assertEquals(listOf(0f, 0f, 1f), mesh.normals!!.take(3))
         assertEquals("one", mesh.material.name)
+    }
+
+    @Test
+    fun lengthsHaveTheUnitOfTheFile() {
+        fun unit(model: String) = TestSources.of(ThreeMfFiles.of(model)).also { ThreeMfParser.parse(it) }.unit
+        val own = model(one, item(1))
+        assertEquals(LengthUnit.MILLIMETRE, unit(own))
+        assertEquals(LengthUnit.INCH, unit(own.replace("millimeter", "inch")))
+        assertEquals(LengthUnit.MILLIMETRE, unit(own.replace("millimeter", "parsec")))
     }
 
     @Test
