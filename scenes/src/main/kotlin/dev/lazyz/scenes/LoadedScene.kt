@@ -81,6 +81,10 @@ public class LoadedScene @JvmOverloads constructor(
     public fun withScene(scene: Scene): LoadedScene =
         LoadedScene(scene, warnings, size, depth, cameras, lightRig, files, format, picture, unit)
 
+    /** Returns this input with other warnings. */
+    internal fun withWarnings(warnings: List<String>): LoadedScene =
+        LoadedScene(scene, warnings, size, depth, cameras, lightRig, files, format, picture, unit)
+
     override fun toString(): String = "LoadedScene($scene, ${warnings.size} warnings, size $size)"
 }
 

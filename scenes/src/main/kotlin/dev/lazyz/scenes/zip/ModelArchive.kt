@@ -61,10 +61,7 @@ public class ModelArchive private constructor(
         } catch (failure: SceneFormatException) {
             throw named(failure)
         }
-        return LoadedScene(
-            loaded.scene, loaded.warnings.map(::named), loaded.size, loaded.depth, loaded.cameras, loaded.lightRig,
-            loaded.files, loaded.format, loaded.picture,
-        )
+        return loaded.withWarnings(loaded.warnings.map(::named))
     }
 
     /**
