@@ -45,6 +45,18 @@ public interface Renderer {
     public fun render(frame: Frame, sink: RowSink): Counters
 
     /**
+     * Renders pixels of [side] x [side] samples of [frame], each the mean of its own samples, and passes every row of
+     * them to [sink]; or returns null, before the first row, if this renderer does not do that. Then the rows of samples
+     * are filtered. The pixels are the same, bit for bit. Called by `SampledFrame`, which callers use.
+     *
+     * @param frame samples; the region consists of whole pixels
+     * @param rate how often primitives are shaded
+     * @return the work, counted in samples, or null
+     */
+    @Throws(InterruptedException::class, IOException::class)
+    public fun renderPixels(frame: Frame, side: Int, rate: ShadingRate, sink: RowSink): Counters? = null
+
+    /**
      * Renders [frame] into memory. Throws like the other [render]. Cost: 12 bytes a sample in addition to the
      * renderer's own memory.
      */
@@ -54,6 +66,19 @@ public interface Renderer {
         val counters = render(frame, collector)
         return collector.toImage(counters)
     }
+}
+
+/** How often a primitive is shaded with several samples a pixel. */
+public enum class ShadingRate {
+    /** At every visible sample. */
+    SAMPLE,
+
+    /**
+     * Once for each primitive that is visible in a pixel, at its visible sample that is nearest to the pixel's centre.
+     * The edges of primitives are as smooth as with [SAMPLE]; highlights are not. Textures with a `MipFilter` are read
+     * with the footprint of a pixel, as with one sample a pixel. For expensive shaders.
+     */
+    PIXEL,
 }
 
 /** Receives finished rows, in order from the top. */

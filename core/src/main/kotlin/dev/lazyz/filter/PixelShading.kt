@@ -4,7 +4,7 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.RowSink
-import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.ShadingRate
 import dev.lazyz.shading.GatheredShading
 import java.util.Arrays
 
@@ -30,9 +30,7 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
     private val shading = GatheredShading(frame.content, factor, room(factor))
     private var shadingCalls = 0L
 
-    /** The samples of a pixel from its centre outward, as row times [factor] plus column. */
-    private val fromCentre =
-        (0 until samplesOfPixel).sortedBy { square(it / factor) + square(it % factor) }.toIntArray()
+    private val fromCentre = PixelSamples.fromCentre(factor)
 
     /** Columns of the pixels that wait, and the places of their samples in [fragments], or [EVEN]. */
     private val waiting = IntArray(room(factor))
@@ -45,8 +43,6 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
 
     /** The primitives, and later the colours, of the samples of a pixel, row by row. */
     private val pixel = IntArray(samplesOfPixel)
-
-    private fun square(position: Int): Int = (2 * position + 1 - factor) * (2 * position + 1 - factor)
 
     override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
         sink.samples(y, depth, primitive)
@@ -188,6 +184,15 @@ internal class PixelShading(private val frame: Frame, private val factor: Int, p
             val rows = Int.SIZE_BYTES.toLong() * factor * frame.width + frame.width / factor
             return rows + 3L * Int.SIZE_BYTES * room(factor) + GatheredShading.bytes(room(factor))
         }
+    }
+}
+
+/** The samples of a pixel. */
+internal object PixelSamples {
+    /** Returns the samples of a pixel from its centre outward, as row times [factor] plus column. */
+    fun fromCentre(factor: Int): IntArray {
+        fun square(position: Int): Int = (2 * position + 1 - factor) * (2 * position + 1 - factor)
+        return (0 until factor * factor).sortedBy { square(it / factor) + square(it % factor) }.toIntArray()
     }
 }
 

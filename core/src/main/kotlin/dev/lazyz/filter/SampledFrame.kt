@@ -8,8 +8,8 @@ import dev.lazyz.Region
 import dev.lazyz.RenderedRows
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.ShadingRate
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.filter.SuperSampling.ShadingRate
 import dev.lazyz.spi.ShadingObserver
 import java.io.IOException
 
@@ -95,12 +95,17 @@ public class SampledFrame internal constructor(
      */
     internal fun render(renderer: Renderer, sink: RowSink, tap: ((RowSink) -> RowSink)?): Counters {
         if (isPlain) return renderer.render(frame, tapped(sink, tap))
+        require(!isShadedLate || !frame.hasTranslucency) {
+            "translucent primitives are shaded at every sample: use ShadingRate.SAMPLE"
+        }
+        if (isBox && tap == null) {
+            renderer.renderPixels(frame, sampling.factor, sampling.rate, sink)?.let { return it }
+        }
         val box = if (isBox) BoxSink(sampling.factor, frame, pixels, sink) else null
         val filter: RowSink = box ?: FilterSink(sampling.taps, frame, pixels, sink)
         if (!isShadedLate) return renderer.render(frame, tapped(filter, tap))
 
         // Find the visible primitives first, without their colours
-        require(!frame.hasTranslucency) { "translucent primitives are shaded at every sample: use ShadingRate.SAMPLE" }
         val colors = box ?: SampleRows(sampling.factor, frame.width, filter)
         val shading = PixelShading(frame, sampling.factor, colors)
         return shading.counted(renderer.render(frame.unshaded(), tapped(shading, tap)))

@@ -4,6 +4,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
+import dev.lazyz.ShadingRate
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
@@ -100,19 +101,6 @@ public class SuperSampling @JvmOverloads constructor(
     }
 
     override fun toString(): String = "SuperSampling($factor, $filter, $rate)"
-
-    /** How often a primitive is shaded with several samples a pixel. */
-    public enum class ShadingRate {
-        /** At every visible sample. */
-        SAMPLE,
-
-        /**
-         * Once for each primitive that is visible in a pixel, at its visible sample that is nearest to the pixel's
-         * centre. The edges of primitives are as smooth as with [SAMPLE]; highlights are not. Textures with a
-         * `MipFilter` are read with the footprint of a pixel, as with one sample a pixel. For expensive shaders.
-         */
-        PIXEL,
-    }
 
     /**
      * How the samples around a pixel are weighted. The weight of a sample is the product of a weight for its column and

@@ -13,7 +13,7 @@ import dev.lazyz.Selector
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.ShadingRate
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.lists.ListsRenderer
 import dev.lazyz.strategies.tiled.TiledRenderer

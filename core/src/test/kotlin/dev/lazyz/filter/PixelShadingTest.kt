@@ -6,7 +6,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RowSink
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.ShadingRate
 import dev.lazyz.spi.BatchShader
 import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.spi.Shader

@@ -9,7 +9,7 @@ import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.ShadingRate
 import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.spi.Srgb
 import dev.lazyz.strategies.Renderers

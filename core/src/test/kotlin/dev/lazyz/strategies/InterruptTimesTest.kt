@@ -5,7 +5,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.drawing.EdgeStyle
 import dev.lazyz.drawing.EdgeStyle.EdgeSet
 import dev.lazyz.filter.SuperSampling
-import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.ShadingRate
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene

@@ -3,7 +3,7 @@ package dev.lazyz.scenes
 import dev.lazyz.Rgba
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.ShadingRate
 import dev.lazyz.filter.VerticalGradient
 
 /**

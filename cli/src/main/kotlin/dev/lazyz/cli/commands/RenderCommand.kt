@@ -47,7 +47,7 @@ import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.cli.strategies.StrategyPath
-import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.ShadingRate
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.pictures.NamedValues
 import dev.lazyz.scenes.pictures.ParameterGroup

@@ -7,6 +7,7 @@ import dev.lazyz.Frame
 import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions.Coherence
+import dev.lazyz.ShadingRate
 import dev.lazyz.raster.bytes
 import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.TriangleBatch
@@ -22,15 +23,22 @@ import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 import dev.lazyz.strategies.tiled.resolve.TileLayers
-import dev.lazyz.strategies.tiled.resolve.TileShading
+import dev.lazyz.strategies.tiled.resolve.TilePixels
+import dev.lazyz.strategies.tiled.resolve.TileSamples
 
-/** Renders tiles, one after the other. Holds the working memory of one thread. */
+/**
+ * Renders tiles, one after the other. Holds the working memory of one thread.
+ *
+ * @param side how many samples wide and high a pixel of the result is, if it is shaded as [rate] says
+ */
 internal class TileRenderer(
     private val frame: Frame,
     private val grid: TileGrid,
     coherence: Coherence,
     kernels: Kernels,
     private val checkpoint: Checkpoint,
+    side: Int,
+    rate: ShadingRate,
 ) {
     /** Counters of the tiles rendered here. */
     val counters: Counters.Builder = Counters.Builder()
@@ -44,7 +52,11 @@ internal class TileRenderer(
     private val drawing = FineRaster(keys, kernels.blocks(), counters)
     private val batches = EarlyZDrawing(content, test, keys, drawing, checkpoint)
     private val forms = TriangleForms(test)
-    private val shading = TileShading(frame, keys, layers, coherence, kernels.fragments(), counters, checkpoint)
+    private val shading = if (side == 1) {
+        TileSamples(frame, keys, layers, coherence, kernels.fragments(), counters, checkpoint)
+    } else {
+        TilePixels(frame, keys, layers, kernels.fragments(), counters, checkpoint, side, rate)
+    }
     private var cursorBytes = 0L
 
     /** Peak number of bytes held. */

@@ -9,6 +9,7 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.RowSink
+import dev.lazyz.ShadingRate
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.StreamingRenderer.Rendering
 import dev.lazyz.Workers
@@ -135,8 +136,7 @@ public class TiledRenderer internal constructor(
      */
     @Throws(InterruptedException::class, IOException::class)
     override fun render(frame: Frame, sink: RowSink): Counters {
-        // Concurrent renderings each have their own pool
-        val pool = kept.getAndSet(null)?.get() ?: ArrayPool()
+        val pool = takePool()
         val parts = frame.content.parts
         val workers = Workers(threads, executor)
         val most = bandBytes(bandBytes)
@@ -146,7 +146,7 @@ public class TiledRenderer internal constructor(
             else ->
                 StreamedRendering(frame, parts, workers, most) { part, merge -> render(part, merge, pool) }.run(sink)
         }
-        kept.set(SoftReference(pool))
+        keep(pool)
         return counters
     }
 
@@ -159,10 +159,29 @@ public class TiledRenderer internal constructor(
         return GuardedDrawing(this, primitives::draw, primitives::finish)
     }
 
-    private fun render(frame: Frame, sink: RowSink, pool: ArrayPool): Counters {
+    /** Adds up the samples of each pixel within its tile, if pixels divide tiles and the frame is in memory. */
+    override fun renderPixels(frame: Frame, side: Int, rate: ShadingRate, sink: RowSink): Counters? {
+        if (frame.isStreamed || coherence == Coherence.INCREMENTAL || tileSize % side != 0) return null
+        val pool = takePool()
+        return render(frame, sink, pool, side, rate).also { keep(pool) }
+    }
+
+    /** Takes the pool that was kept: concurrent renderings each have their own. */
+    private fun takePool(): ArrayPool = kept.getAndSet(null)?.get() ?: ArrayPool()
+
+    private fun keep(pool: ArrayPool) = kept.set(SoftReference(pool))
+
+    private fun render(
+        frame: Frame,
+        sink: RowSink,
+        pool: ArrayPool,
+        side: Int = 1,
+        rate: ShadingRate = ShadingRate.SAMPLE,
+    ): Counters {
         pool.begin()
         val workers = Workers(threads, executor)
-        return TiledRendering(frame, TileGrid(frame.region, tileSize), coherence, workers, kernels(), pool).run(sink)
+        val grid = TileGrid(frame.region, tileSize)
+        return TiledRendering(frame, grid, coherence, workers, kernels(), pool, side, rate).run(sink)
     }
 
     override fun toString(): String = "TiledRenderer($coherence, threads=$threads, tileSize=$tileSize)"

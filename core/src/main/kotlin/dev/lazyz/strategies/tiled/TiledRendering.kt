@@ -6,6 +6,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Helpers
 import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.RowSink
+import dev.lazyz.ShadingRate
 import dev.lazyz.Workers
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.strategies.tiled.binning.ActivePrimitives
@@ -28,6 +29,8 @@ internal class TiledRendering(
     private val workers: Workers,
     private val kernels: Kernels,
     private val pool: ArrayPool,
+    private val side: Int,
+    private val rate: ShadingRate,
 ) {
     private val columns = grid.columns.toLong()
 
@@ -37,7 +40,7 @@ internal class TiledRendering(
     private val arrivals = ActivePrimitives(frame, grid)
 
     /** The bands in progress: band number b is at index b modulo the size of this array. */
-    private val bands = Array(bandsAtWork(grid, threadCount)) { Band(frame, grid, pool) }
+    private val bands = Array(bandsAtWork(grid, threadCount)) { Band(frame, grid, pool, side) }
     private var filled = 0
 
     private val test = frame.raster.depthTest
@@ -54,7 +57,8 @@ internal class TiledRendering(
 
     /** One for each thread; the first belongs to the calling thread. */
     private val renderers = List(threadCount) { number ->
-        TileRenderer(frame, grid, coherence, kernels, if (number == 0) callerCheckpoint else schedule)
+        val checkpoint = if (number == 0) callerCheckpoint else schedule
+        TileRenderer(frame, grid, coherence, kernels, checkpoint, side, rate)
     }
 
     /** Renders the frame and passes every row to [sink]. */

@@ -10,7 +10,7 @@ import dev.lazyz.Rgba;
 import dev.lazyz.RowSink;
 import dev.lazyz.filter.SuperSampling;
 import dev.lazyz.filter.SuperSampling.PixelFilter;
-import dev.lazyz.filter.SuperSampling.ShadingRate;
+import dev.lazyz.ShadingRate;
 import dev.lazyz.jmh.PictureCheck;
 import dev.lazyz.jmh.report.Options;
 import dev.lazyz.jmh.workload.SteadyState;

@@ -6,7 +6,7 @@ import dev.lazyz.Renderer;
 import dev.lazyz.filter.SampledFrame;
 import dev.lazyz.filter.SuperSampling;
 import dev.lazyz.filter.SuperSampling.PixelFilter;
-import dev.lazyz.filter.SuperSampling.ShadingRate;
+import dev.lazyz.ShadingRate;
 import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.scenes.Scenes;
 import dev.lazyz.strategies.tiled.TiledRenderer;

@@ -5,7 +5,7 @@ import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
 import dev.lazyz.filter.SuperSampling;
 import dev.lazyz.filter.SuperSampling.PixelFilter;
-import dev.lazyz.filter.SuperSampling.ShadingRate;
+import dev.lazyz.ShadingRate;
 import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.lighting.AmbientOcclusion;
 import dev.lazyz.lighting.GroundShadow;

@@ -6,7 +6,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.ShadingRate
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.scenes.ImageSize

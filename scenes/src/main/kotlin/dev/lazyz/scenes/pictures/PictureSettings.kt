@@ -2,7 +2,7 @@ package dev.lazyz.scenes.pictures
 
 import dev.lazyz.RenderOptions
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
-import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.ShadingRate
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions

@@ -12,7 +12,7 @@ import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.filter.SuperSampling.ShadingRate
+import dev.lazyz.ShadingRate
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.lighting.GroundShadow
 import dev.lazyz.lighting.Matcap

@@ -19,8 +19,10 @@ import kotlin.contracts.contract
  *
  * Filled by the calling thread and read by all threads, each of which writes the samples of its own tile; then reused
  * for a later band. A *member* is a primitive of the band, numbered in submission order within the band.
+ *
+ * @param side how many samples wide and high a pixel of the result is
  */
-internal class Band(frame: Frame, private val grid: TileGrid, private val pool: ArrayPool) {
+internal class Band(frame: Frame, private val grid: TileGrid, private val pool: ArrayPool, private val side: Int) {
     private val order = VisibilityOrder(frame.raster.depthTest)
     private val region = frame.region
     private val content = frame.content
@@ -56,10 +58,16 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
     private var wide = IntArray(0)
     private var wideCount = 0
 
+    /** Columns of the result. */
+    private val width = region.width / side
+
+    /** Number of rows of the result. */
+    val rows: Int get() = (rowEnd - rowStart) / side
+
     /** The visible result, row by row, from the region's first column. */
-    val argb: Array<IntArray> = Array(grid.tileHeight) { pool.ints(region.width) }
-    val depth: Array<IntArray> = Array(grid.tileHeight) { pool.ints(region.width) }
-    val primitive: Array<IntArray> = Array(grid.tileHeight) { pool.ints(region.width) }
+    val argb: Array<IntArray> = Array(grid.tileHeight / side) { pool.ints(width) }
+    val depth: Array<IntArray> = Array(grid.tileHeight / side) { pool.ints(width) }
+    val primitive: Array<IntArray> = Array(grid.tileHeight / side) { pool.ints(width) }
 
     private val remaining = AtomicInteger()
 
@@ -72,7 +80,7 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
 
     /** Peak number of bytes held. */
     val bytes: Long
-        get() = 3L * Int.SIZE_BYTES * grid.tileHeight * region.width +
+        get() = 3L * Int.SIZE_BYTES * argb.size * width +
             singles.bytes + firstColumns.bytes + lastColumns.bytes + ends.bytes + entries.bytes + wide.bytes +
             nearest.bytes + spans.bytes + maxOf(peakSpanBytes, spanBytes.get())
 
@@ -189,9 +197,9 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
 
     /** Passes the rows to [sink], and passes [checkpoint] before each row. */
     fun sendTo(sink: RowSink, checkpoint: Checkpoint) {
-        for (row in 0 until rowEnd - rowStart) {
+        for (row in 0 until rows) {
             checkpoint.pass()
-            sink.row(rowStart + row, argb[row], depth[row], primitive[row])
+            sink.row(rowStart / side + row, argb[row], depth[row], primitive[row])
         }
     }
 

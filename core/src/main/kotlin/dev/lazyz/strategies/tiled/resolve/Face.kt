@@ -166,21 +166,24 @@ internal class Face : EdgeForms() {
     private fun edge(fromX: Int, fromY: Int, toX: Int, toY: Int): Long =
         Edge.function(fromX, fromY, toX, toY, ScreenGrid.CENTER, ScreenGrid.CENTER)
 
-    /** Fills in the attributes of one sample, at index [i] of [batch]. */
-    fun attributes(batch: FragmentBatch, i: Int, x: Int, y: Int) {
+    /** Fills in the attributes of one sample, at index [i] of [batch]. Its footprint has the side [side]. */
+    fun attributes(batch: FragmentBatch, i: Int, x: Int, y: Int, side: Int) {
         val at0 = (e0 + e0dx * x + e0dy * y).toDouble()
         val at1 = (e1 + e1dx * x + e1dy * y).toDouble()
         val at2 = (e2 + e2dx * x + e2dy * y).toDouble()
         PerspectiveWeights.of(at0, at1, at2, over0, over1, over2, least) { w0, w1, w2, _ -> mix(batch, i, w0, w1, w2) }
-        if (fields and Attributes.FOOTPRINT != 0) footprint(batch, i, x, y)
+        if (fields and Attributes.FOOTPRINT != 0) footprint(batch, i, x, y, side)
     }
 
-    /** Fills in the derivatives of the texture coordinates of one sample, at index [i] of [batch]. */
-    fun footprint(batch: FragmentBatch, i: Int, x: Int, y: Int) {
+    /**
+     * Fills in the derivatives of the texture coordinates of one sample, at index [i] of [batch], for a footprint that
+     * is [side] samples wide and high.
+     */
+    fun footprint(batch: FragmentBatch, i: Int, x: Int, y: Int, side: Int) {
         TextureFootprint.of(
             (e0 + e0dx * x + e0dy * y).toDouble(), (e1 + e1dx * x + e1dy * y).toDouble(),
             (e2 + e2dx * x + e2dy * y).toDouble(),
-            e0dx, e1dx, e2dx, e0dy, e1dy, e2dy, over0, over1, over2, least, 1,
+            e0dx, e1dx, e2dx, e0dy, e1dy, e2dy, over0, over1, over2, least, side,
         ) { w0, w1, w2, right0, right1, right2, down0, down1, down2 ->
             if (fields and Attributes.UV != 0) {
                 TextureFootprint.derivatives(

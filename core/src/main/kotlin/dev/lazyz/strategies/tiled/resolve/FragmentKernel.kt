@@ -23,16 +23,17 @@ internal abstract class FragmentKernel(private val long: Int) {
 
     /**
      * Fills in the attributes of [face] at the samples from number [at] of [fragments] on, in a tile whose first sample
-     * is ([x], [y]). Up to [FragmentBatch.SPARE] elements after the last sample may be overwritten.
+     * is ([x], [y]). Footprints are [side] samples wide and high. Up to [FragmentBatch.SPARE] elements after the last
+     * sample may be overwritten.
      */
-    fun attributes(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int) {
+    fun attributes(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int, side: Int) {
         val fields = face.fields
         val batch = fragments.batch
         val count = fragments.size - at
         if (fields == 0) return
         if (count < long || !face.isExact) {
             for (i in at until at + count) {
-                face.attributes(batch, i, x + fragments.columns[i].toInt(), y + fragments.rows[i].toInt())
+                face.attributes(batch, i, x + fragments.columns[i].toInt(), y + fragments.rows[i].toInt(), side)
             }
             return
         }
@@ -69,7 +70,7 @@ internal abstract class FragmentKernel(private val long: Int) {
         }
         if (fields and Attributes.FOOTPRINT != 0) {
             for (i in at until at + count) {
-                face.footprint(batch, i, x + fragments.columns[i].toInt(), y + fragments.rows[i].toInt())
+                face.footprint(batch, i, x + fragments.columns[i].toInt(), y + fragments.rows[i].toInt(), side)
             }
         }
     }

@@ -16,8 +16,9 @@ internal class PrimitiveRuns {
     private val groups = IntArray(SLOTS)
     private val colors = IntArray(SLOTS)
 
-    /** For each group, the primitive's index, the number of samples, and the last run. */
+    /** For each group, the primitive's index, how far its samples are apart, their number, and the last run. */
     private var indices = IntArray(CAPACITY)
+    private var steps = IntArray(CAPACITY)
     private var sizes = IntArray(CAPACITY)
     private var lasts = IntArray(CAPACITY)
 
@@ -34,7 +35,7 @@ internal class PrimitiveRuns {
     private var runCount = 0
 
     /** Bytes held. */
-    val bytes: Long get() = Int.SIZE_BYTES * (3L * SLOTS + 3L * indices.size + 3L * starts.size)
+    val bytes: Long get() = Int.SIZE_BYTES * (3L * SLOTS + 4L * indices.size + 3L * starts.size)
 
     /** Begins a tile. */
     fun begin() {
@@ -52,29 +53,34 @@ internal class PrimitiveRuns {
         return if (owners[slot] == index) groups[slot] else NONE
     }
 
-    /** Records an unknown primitive whose samples are to be collected, and returns the number of its new group. */
-    fun note(index: Int): Int {
+    /**
+     * Records an unknown primitive whose samples are to be collected, and returns the number of its new group. The
+     * samples of a run are [step] columns apart.
+     */
+    fun note(index: Int, step: Int): Int {
         if (count == indices.size) {
             indices = indices.copyOf(2 * count)
+            steps = steps.copyOf(2 * count)
             sizes = sizes.copyOf(2 * count)
             lasts = lasts.copyOf(2 * count)
         }
         indices[count] = index
+        steps[count] = step
         sizes[count] = 0
         lasts[count] = NONE
-        return note(index, count++)
+        return record(index, count++)
     }
 
     /** Records an unknown primitive all of whose samples have the colour [argb]; returns [CONSTANT]. */
     fun noteConstant(index: Int, argb: Int): Int {
         colors[index and SLOTS - 1] = argb
-        return note(index, CONSTANT)
+        return record(index, CONSTANT)
     }
 
     /** Records an unknown primitive whose samples are shaded one by one; returns [ONE_BY_ONE]. */
-    fun noteOneByOne(index: Int): Int = note(index, ONE_BY_ONE)
+    fun noteOneByOne(index: Int): Int = record(index, ONE_BY_ONE)
 
-    private fun note(index: Int, group: Int): Int {
+    private fun record(index: Int, group: Int): Int {
         owners[index and SLOTS - 1] = index
         groups[index and SLOTS - 1] = group
         return group
@@ -99,6 +105,9 @@ internal class PrimitiveRuns {
 
     /** The primitive's index of group number [group]. */
     fun index(group: Int): Int = indices[group]
+
+    /** How many columns the samples of a run of group number [group] are apart. */
+    fun step(group: Int): Int = steps[group]
 
     /** Number of samples of group number [group]. */
     fun size(group: Int): Int = sizes[group]
@@ -163,14 +172,14 @@ internal class WaitingFragments {
     /** Bytes held. */
     val bytes: Long get() = batch.bytes + places.bytes + columns.bytes + rows.bytes
 
-    /** Adds [length] adjacent fragments from place [start] on. There must be [room] for them. */
-    fun add(start: Int, length: Int) {
+    /** Adds [length] fragments from place [start] on, [step] columns apart. There must be [room] for them. */
+    fun add(start: Int, length: Int, step: Int) {
         val column = PrimitiveRuns.column(start)
         val row = PrimitiveRuns.row(start).toDouble()
-        if (length < LONG) {
+        if (length < LONG || step != 1) {
             for (i in 0 until length) {
-                places[size + i] = start + i
-                columns[size + i] = COLUMNS[column + i]
+                places[size + i] = start + step * i
+                columns[size + i] = COLUMNS[column + step * i]
                 rows[size + i] = row
             }
         } else {
@@ -190,15 +199,9 @@ internal class WaitingFragments {
         }
     }
 
-    /**
-     * Stores the fragments' packed colours [argb] into the rows [to], where the tile starts at [column], and removes
-     * all fragments.
-     */
-    fun takeOut(argb: IntArray, to: Array<IntArray>, column: Int) {
-        for (i in 0 until size) {
-            val place = places[i]
-            to[PrimitiveRuns.row(place)][column + PrimitiveRuns.column(place)] = argb[i]
-        }
+    /** Passes the fragments' packed colours [argb] to [sink], and removes all fragments. */
+    fun takeOut(argb: IntArray, sink: FragmentSink) {
+        sink.store(places, argb, size)
         size = 0
     }
 

@@ -1,0 +1,280 @@
+package dev.lazyz.strategies.tiled.resolve
+
+import dev.lazyz.Checkpoint
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.RenderOptions.Coherence
+import dev.lazyz.ShadingRate
+import dev.lazyz.bytes
+import dev.lazyz.filter.LightSums
+import dev.lazyz.filter.LightSums.CHANNELS
+import dev.lazyz.filter.PixelSamples
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
+
+/**
+ * Fills in each pixel of a tile, the mean of its [side] x [side] samples. Nothing of the size of the samples leaves the
+ * tile.
+ *
+ * Most pixels are *even*: all samples show the same primitive. Such a pixel takes the colour of one fragment, if the
+ * primitive is shaded once a pixel. All other colours are added up in linear light, each as often as there are samples
+ * that it stands for.
+ *
+ * @param side how many samples wide and high a pixel is; divides the sides of all tiles
+ */
+internal class TilePixels(
+    frame: Frame,
+    keys: VisibilityBuffer,
+    private val layers: TileLayers,
+    kernel: FragmentKernel,
+    private val counters: Counters.Builder,
+    private val checkpoint: Checkpoint,
+    private val side: Int,
+    private val rate: ShadingRate,
+) : TileShading(frame, keys, layers, Coherence.DIRECT, kernel, counters, checkpoint, side) {
+    private val samples = side * side
+    private val stride = keys.stride
+    private val pixelsOfRow = stride / side
+
+    /** The samples of a pixel, from its centre outward: their columns, rows, and places in the keys of the tile. */
+    private val columns: IntArray
+    private val rows: IntArray
+    private val offsets: IntArray
+
+    init {
+        val order = PixelSamples.fromCentre(side)
+        columns = IntArray(samples) { order[it] % side }
+        rows = IntArray(samples) { order[it] / side }
+        offsets = IntArray(samples) { rows[it] * stride + columns[it] }
+    }
+
+    /** By column of the tile, the bits in which the keys of a row of pixels differ from those of its first samples. */
+    private val differences = LongArray(stride)
+
+    /** By pixel: whether its colours are added up; and the sums, and the colour of the upper left sample, if so. */
+    private val isMixed = BooleanArray(keys.size / samples)
+    private val sums = LongArray(CHANNELS * isMixed.size)
+    private val corners = IntArray(isMixed.size)
+
+    /** The mixed pixels. */
+    private val mixed = IntArray(isMixed.size)
+    private var mixedCount = 0
+
+    /** For each fragment of a mixed pixel, by its sample: for how many it stands, and [CORNER] for the upper left. */
+    private val weights = IntArray(keys.size)
+
+    /** The primitives of a mixed pixel, in the order of [offsets]. */
+    private val indices = IntArray(samples)
+
+    override val bytes: Long
+        get() = super.bytes + 4 * offsets.bytes + differences.bytes + isMixed.size + sums.bytes + corners.bytes +
+            mixed.bytes + weights.bytes
+
+    override fun shadeRows() {
+        isMixed.fill(false)
+        mixedCount = 0
+        for (row in 0 until (keys.rowEnd - keys.rowStart) / side) {
+            checkpoint.pass()
+            shadeRow(row)
+        }
+    }
+
+    private fun shadeRow(row: Int) {
+        val first = row * side * stride
+        val width = (keys.columnEnd - keys.columnStart) / side
+        findDifferences(first, side * width)
+        var x = 0
+        while (x < width) {
+            if (isBlended(x, row)) {
+                blend(x++, row)
+            } else if (!isEven(first, x)) {
+                mix(x++, row)
+            } else {
+                val index = test.indexOf(keys.keys[first + side * x])
+                val start = x++
+                while (x < width && test.indexOf(keys.keys[first + side * x]) == index && isEven(first, x) &&
+                    !isBlended(x, row)
+                ) {
+                    x++
+                }
+                shadeEven(index, row, start, x)
+            }
+        }
+    }
+
+    private fun findDifferences(first: Int, width: Int) {
+        val all = keys.keys
+        val differences = differences
+        differences.fill(0)
+        for (row in 1 until side) {
+            val other = first + row * stride
+            for (i in 0 until width) differences[i] = differences[i] or (all[first + i] xor all[other + i])
+        }
+    }
+
+    /** Whether all samples of pixel [x] have the same primitive. */
+    private fun isEven(first: Int, x: Int): Boolean {
+        val all = keys.keys
+        val start = side * x
+        val key = all[first + start]
+        var difference = differences[start]
+        for (i in start + 1 until start + side) difference = difference or differences[i] or (key xor all[first + i])
+        return difference.toInt() == 0
+    }
+
+    /** Passes the samples of a pixel to [action]: their columns and rows in the picture. */
+    private inline fun samples(x: Int, row: Int, action: (x: Int, y: Int) -> Unit) {
+        for (y in keys.rowStart + side * row until keys.rowStart + side * (row + 1)) {
+            for (i in keys.columnStart + side * x until keys.columnStart + side * (x + 1)) action(i, y)
+        }
+    }
+
+    private fun isBlended(x: Int, row: Int): Boolean {
+        if (layers.isEmpty) return false
+        samples(x, row) { column, y -> if (fragments.isBlended(column, y)) return true }
+        return false
+    }
+
+    /** Fills in the pixels [start] until [end] of a row of pixels. All their samples show the primitive [index]. */
+    private fun shadeEven(index: Int, row: Int, start: Int, end: Int) {
+        band.primitive[row].fill(index, toColumn + start, toColumn + end)
+        if (index == DepthTest.BACKGROUND) {
+            band.argb[row].fill(background, toColumn + start, toColumn + end)
+            band.depth[row].fill(frame.raster.backgroundDepth, toColumn + start, toColumn + end)
+            return
+        }
+        for (x in start until end) {
+            band.depth[row][toColumn + x] = test.depthOf(nearest(side * (row * stride + x)))
+        }
+        if (step(index) == side) {
+            val place = PrimitiveRuns.place(side * row + rows[0], side * start + columns[0])
+            fragments.add(index, place, end - start, side)
+            return
+        }
+        for (x in start until end) begin(x, row)
+        for (y in side * row until side * (row + 1)) {
+            weights.fill(1, y * stride + side * start, y * stride + side * end)
+            fragments.add(index, PrimitiveRuns.place(y, side * start), side * (end - start), 1)
+        }
+        for (x in start until end) weights[side * (row * stride + x)] = 1 or CORNER
+    }
+
+    /** Fills in pixel [x] of a row of pixels, whose samples show several primitives. */
+    private fun mix(x: Int, row: Int) {
+        val at = side * (row * stride + x)
+        val pixel = begin(x, row)
+        keepNearest(x, row, nearest(at))
+        val corner = test.indexOf(keys.keys[at])
+        for (i in 0 until samples) indices[i] = test.indexOf(keys.keys[at + offsets[i]])
+        for (i in 0 until samples) {
+            val index = indices[i]
+            if (index == TAKEN) continue
+            val isWhole = index == DepthTest.BACKGROUND || step(index) == side
+            var count = 0
+            for (j in i until samples) {
+                if (indices[j] != index) continue
+                indices[j] = TAKEN
+                count++
+                if (!isWhole) add(index, at, x, row, j, if (offsets[j] == 0) 1 or CORNER else 1, 1)
+            }
+            val weight = if (index == corner) count or CORNER else count
+            if (index == DepthTest.BACKGROUND) {
+                add(pixel, background, weight)
+            } else if (isWhole) {
+                add(index, at, x, row, i, weight, side)
+            }
+        }
+    }
+
+    /** Adds a fragment of the primitive [index] at a [sample] of a mixed pixel. */
+    private fun add(index: Int, at: Int, x: Int, row: Int, sample: Int, weight: Int, step: Int) {
+        weights[at + offsets[sample]] = weight
+        fragments.add(index, PrimitiveRuns.place(side * row + rows[sample], side * x + columns[sample]), 1, step)
+    }
+
+    /** Fills in pixel [x] of a row of pixels, in which translucent fragments are visible: each sample is shaded. */
+    private fun blend(x: Int, row: Int) {
+        val pixel = begin(x, row)
+        var nearest = Long.MAX_VALUE
+        samples(x, row) { column, y ->
+            val opaque = keys.at(column, y)
+            val key = layers.nearest(keys.place(column, y), opaque)
+            nearest = minOf(nearest, key)
+            val index = test.indexOf(key)
+            val color = when {
+                key != opaque -> fragments.blend(column, y)
+                index == DepthTest.BACKGROUND -> background
+                else -> fragments.shaded(column, y, index).toArgb()
+            }
+            val isCorner = column == keys.columnStart + side * x && y == keys.rowStart + side * row
+            add(pixel, color, if (isCorner) 1 or CORNER else 1)
+        }
+        keepNearest(x, row, nearest)
+    }
+
+    /** How far the samples of the primitive [index] that are shaded are apart: by a sample, or by a pixel. */
+    private fun step(index: Int): Int = if (rate == ShadingRate.PIXEL) side else 1
+
+    /** Begins the sums of pixel [x], and returns the number of the pixel. */
+    private fun begin(x: Int, row: Int): Int {
+        val pixel = row * pixelsOfRow + x
+        isMixed[pixel] = true
+        mixed[mixedCount++] = pixel
+        sums.fill(0, CHANNELS * pixel, CHANNELS * (pixel + 1))
+        return pixel
+    }
+
+    private fun keepNearest(x: Int, row: Int, key: Long) {
+        band.depth[row][toColumn + x] = test.depthOf(key)
+        band.primitive[row][toColumn + x] = test.indexOf(key)
+    }
+
+    /** Returns the nearest key of the pixel whose first key is at [at]. */
+    private fun nearest(at: Int): Long {
+        val all = keys.keys
+        var nearest = all[at]
+        for (offset in offsets) nearest = minOf(nearest, all[at + offset])
+        return nearest
+    }
+
+    private fun add(pixel: Int, color: Int, weight: Int) {
+        LightSums.add(sums, CHANNELS * pixel, color, (weight and CORNER.inv()).toLong())
+        if (weight and CORNER != 0) corners[pixel] = color
+    }
+
+    /** Takes the [color] of the fragment at a place. */
+    private fun take(place: Int, color: Int) {
+        val row = PrimitiveRuns.row(place)
+        val column = PrimitiveRuns.column(place)
+        val pixel = row / side * pixelsOfRow + column / side
+        if (isMixed[pixel]) {
+            add(pixel, color, weights[row * stride + column])
+        } else {
+            band.argb[row / side][toColumn + column / side] = color
+        }
+    }
+
+    override fun store(places: IntArray, argb: IntArray, count: Int) {
+        for (i in 0 until count) take(places[i], argb[i])
+    }
+
+    override fun fill(start: Int, length: Int, step: Int, argb: Int) {
+        for (i in 0 until length) take(start + step * i, argb)
+    }
+
+    override fun finish() {
+        for (i in 0 until mixedCount) {
+            val pixel = mixed[i]
+            band.argb[pixel / pixelsOfRow][toColumn + pixel % pixelsOfRow] =
+                LightSums.mean(sums, CHANNELS * pixel, samples.toLong(), corners[pixel])
+        }
+    }
+
+    private companion object {
+        /** Marks the weight of a fragment whose colour is that of the upper left sample. */
+        const val CORNER = 1 shl 16
+
+        /** Less than all indices. */
+        const val TAKEN = Int.MIN_VALUE
+    }
+}

@@ -1,0 +1,87 @@
+package dev.lazyz.strategies.tiled.resolve
+
+import dev.lazyz.Checkpoint
+import dev.lazyz.Counters
+import dev.lazyz.DepthTest
+import dev.lazyz.Frame
+import dev.lazyz.RenderOptions.Coherence
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
+
+/** Fills in each sample of a tile. */
+internal class TileSamples(
+    frame: Frame,
+    keys: VisibilityBuffer,
+    private val layers: TileLayers,
+    coherence: Coherence,
+    private val kernel: FragmentKernel,
+    counters: Counters.Builder,
+    checkpoint: Checkpoint,
+) : TileShading(frame, keys, layers, coherence, kernel, counters, checkpoint, side = 1) {
+    /**
+     * Converts the upper half of a key into a depth: all bits set where the greatest depth wins; see
+     * [DepthTest.depthOf].
+     */
+    private val depthTurn = test.depthOf(0)
+
+    override fun shadeRows() {
+        for (y in keys.rowStart until keys.rowEnd) {
+            fragments.beginRow()
+            if (layers.isEmpty) shadeRow(y) else blendRow(y)
+        }
+    }
+
+    private fun shadeRow(y: Int) {
+        val row = y - keys.rowStart
+        val all = keys.keys
+        val first = keys.place(keys.columnStart, y)
+        val width = keys.columnEnd - keys.columnStart
+        val depths = band.depth[row]
+        for (i in 0 until width) depths[toColumn + i] = (all[first + i] ushr Int.SIZE_BITS).toInt() xor depthTurn
+        val indices = band.primitive[row]
+        var at = 0
+        while (at < width) {
+            val end = kernel.runEnd(all, first + at, first + width) - first
+            val index = test.indexOf(all[first + at])
+            for (i in at until end) indices[toColumn + i] = index
+            shadeRun(index, row, at, end)
+            at = end
+        }
+    }
+
+    /** Computes the colours of the columns [from] until [until] of the tile in [row], all of the primitive [index]. */
+    private fun shadeRun(index: Int, row: Int, from: Int, until: Int) {
+        if (index == DepthTest.BACKGROUND) {
+            band.argb[row].fill(background, toColumn + from, toColumn + until)
+        } else {
+            fragments.add(index, PrimitiveRuns.place(row, from), until - from, 1)
+        }
+    }
+
+    private fun blendRow(y: Int) {
+        val row = y - keys.rowStart
+        for (x in keys.columnStart until keys.columnEnd) {
+            val column = x - keys.columnStart
+            val opaque = keys.at(x, y)
+            val key = layers.nearest(keys.place(x, y), opaque)
+            band.depth[row][toColumn + column] = test.depthOf(key)
+            band.primitive[row][toColumn + column] = test.indexOf(key)
+            if (key == opaque) {
+                shadeRun(test.indexOf(key), row, column, column + 1)
+            } else {
+                band.argb[row][toColumn + column] = fragments.blend(x, y)
+            }
+        }
+    }
+
+    override fun store(places: IntArray, argb: IntArray, count: Int) {
+        for (i in 0 until count) {
+            val place = places[i]
+            band.argb[PrimitiveRuns.row(place)][toColumn + PrimitiveRuns.column(place)] = argb[i]
+        }
+    }
+
+    override fun fill(start: Int, length: Int, step: Int, argb: Int) {
+        val column = toColumn + PrimitiveRuns.column(start)
+        band.argb[PrimitiveRuns.row(start)].fill(argb, column, column + length)
+    }
+}
