@@ -90,6 +90,9 @@ public class Frame internal constructor(
      */
     public fun unshaded(): Frame = Frame(raster, content.unshaded(), region)
 
+    /** Returns this frame, whose primitives are shaded where [shading] says. */
+    internal fun shadedAt(shading: PrimitiveShading): Frame = Frame(raster, content.shadedAt(shading), region)
+
     /**
      * Returns this frame with primitives that report each shading call to [observer]. Colours, depths and counters are
      * the same. The order of the calls is that of this frame for all built-in renderers but `TiledRenderer`, which

@@ -9,6 +9,7 @@ package dev.lazyz
  * @property singles in submission order: the primitives that are in no batch, and the exceptions of the batches
  * @property view what is known about the scene
  * @property parts all primitives of a streamed frame, which has neither batches nor singles; null if they are in memory
+ * @property shading where the primitives of batches are shaded; null for at their samples. Singles know it themselves
  */
 internal class FrameContent private constructor(
     val size: Int,
@@ -17,6 +18,7 @@ internal class FrameContent private constructor(
     private val indices: IntArray?,
     val view: FrameView,
     val parts: FrameParts? = null,
+    val shading: PrimitiveShading? = null,
 ) {
     /** Returns the submission index of `singles[number]`. */
     fun index(number: Int): Int = if (indices == null) number else indices[number]
@@ -60,7 +62,20 @@ internal class FrameContent private constructor(
     fun asOpaque(): FrameContent = if (parts != null) {
         streamed(parts.map(hasTranslucency = false) { it.content().asOpaque() }, view)
     } else {
-        FrameContent(size, batches, singles.map { it.asOpaque() }, indices, view)
+        FrameContent(size, batches, singles.map { it.asOpaque() }, indices, view, shading = shading)
+    }
+
+    /** Returns this content, whose primitives are shaded where [shading] says. */
+    fun shadedAt(shading: PrimitiveShading): FrameContent = if (parts != null) {
+        streamed(parts.map { it.content().shadedAt(shading) }, view)
+    } else {
+        FrameContent(size, batches, singles.map { shading.of(it) }, indices, view, shading = shading)
+    }
+
+    /** Returns a function that returns a primitive of the batch with this [number], given its number there. */
+    private fun reader(number: Int): (Int) -> Primitive {
+        val read = batches[number].reader()
+        return if (shading == null) read else { it -> shading.of(read(it)) }
     }
 
     /** Returns this content without batches, with each primitive replaced by the result of [change] for its index. */
@@ -101,7 +116,7 @@ internal class FrameContent private constructor(
             if (number < 0) {
                 single(index)
             } else {
-                val reader = readers[number] ?: batches[number].reader().also { readers[number] = it }
+                val reader = readers[number] ?: reader(number).also { readers[number] = it }
                 reader(index - batches[number].first)
             }
         }
@@ -121,7 +136,7 @@ internal class FrameContent private constructor(
                 while (all.size < batch.first) all.add(singles[number++])
                 for (primitive in batch.primitives(checkpoint)) {
                     checkpoint.pass()
-                    all.add(primitive)
+                    all.add(if (shading == null) primitive else shading.of(primitive))
                 }
                 while (number < singles.size && this@FrameContent.index(number) < all.size) number++
             }
@@ -180,6 +195,12 @@ internal class FrameContent private constructor(
         fun streamed(parts: FrameParts, view: FrameView): FrameContent =
             FrameContent(parts.size, emptyList(), emptyList(), null, view, parts)
     }
+}
+
+/** Changes where primitives are shaded. Thread safe. */
+internal fun interface PrimitiveShading {
+    /** Returns [primitive], or one that covers the same and is shaded elsewhere. */
+    fun of(primitive: Primitive): Primitive
 }
 
 /**

@@ -50,11 +50,10 @@ public interface Renderer {
      * are filtered. The pixels are the same, bit for bit. Called by `SampledFrame`, which callers use.
      *
      * @param frame samples; the region consists of whole pixels
-     * @param rate how often primitives are shaded
      * @return the work, counted in samples, or null
      */
     @Throws(InterruptedException::class, IOException::class)
-    public fun renderPixels(frame: Frame, side: Int, rate: ShadingRate, sink: RowSink): Counters? = null
+    public fun renderPixels(frame: Frame, side: Int, sink: RowSink): Counters? = null
 
     /**
      * Renders [frame] into memory. Throws like the other [render]. Cost: 12 bytes a sample in addition to the
@@ -74,11 +73,18 @@ public enum class ShadingRate {
     SAMPLE,
 
     /**
-     * Once for each primitive that is visible in a pixel, at its visible sample that is nearest to the pixel's centre.
-     * The edges of primitives are as smooth as with [SAMPLE]; highlights are not. Textures with a `MipFilter` are read
-     * with the footprint of a pixel, as with one sample a pixel. For expensive shaders.
+     * A primitive has one colour in each pixel: at the pixel's centre if that is in it, otherwise at its sample nearest
+     * to the centre (contract rule 6.13). The edges of primitives are as smooth as with [SAMPLE]; highlights are not.
+     * Textures with a `MipFilter` are read with the footprint of a pixel, as with one sample a pixel. For expensive
+     * shaders.
      */
     PIXEL,
+
+    /**
+     * As [PIXEL] for triangles whose colours change little within a pixel, which their material decides: it has no
+     * maps, no custom shader and no narrow highlights. All else as [SAMPLE]. Nearly as exact as [SAMPLE].
+     */
+    AUTO,
 }
 
 /** Receives finished rows, in order from the top. */

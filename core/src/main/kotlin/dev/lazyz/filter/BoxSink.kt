@@ -19,9 +19,7 @@ import java.util.Arrays
  *
  * @param factor samples a pixel in each direction
  */
-internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, private val sink: RowSink) :
-    RowSink,
-    PixelSink {
+internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, private val sink: RowSink) : RowSink {
     private val test = frame.raster.depthTest
     private val width = pixels.width
     private val samplesOfPixel = factor.toLong() * factor
@@ -60,7 +58,7 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
 
     /** Takes a row of samples of the pixels [start] until [end], all of the same [color]. */
     private fun even(row: Int, start: Int, end: Int, color: Int) {
-        if (row == 0) return even(start, end, color)
+        if (row == 0) return fill(start, end, color)
         for (x in start until end) {
             if (!isMixed[x]) {
                 if (corners[x] == color) continue
@@ -114,7 +112,7 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
 
     private fun add(x: Int, color: Int, count: Long) = LightSums.add(sums, CHANNELS * x, color, count)
 
-    override fun even(start: Int, end: Int, color: Int) {
+    private fun fill(start: Int, end: Int, color: Int) {
         if (end - start < LONG) {
             for (x in start until end) {
                 corners[x] = color
@@ -126,10 +124,8 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
         }
     }
 
-    override fun mixed(x: Int, colors: IntArray) = begin(x, colors, 0, colors.size)
-
     /** Keeps the nearest sample of each pixel. */
-    override fun samples(y: Int, depth: IntArray, primitive: IntArray) {
+    private fun samples(y: Int, depth: IntArray, primitive: IntArray) {
         if (y % factor == 0) keys.fill(Long.MAX_VALUE)
         var x = 0
         while (x < width) {
@@ -150,7 +146,7 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
         }
     }
 
-    override fun end(y: Int) {
+    private fun end(y: Int) {
         for (x in 0 until width) {
             val isPlain = !isMixed[x]
             argb[x] = if (isPlain) corners[x] else LightSums.mean(sums, CHANNELS * x, samplesOfPixel, corners[x])

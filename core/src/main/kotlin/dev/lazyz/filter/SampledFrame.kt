@@ -8,7 +8,6 @@ import dev.lazyz.Region
 import dev.lazyz.RenderedRows
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.ShadingRate
 import dev.lazyz.filter.SuperSampling.PixelFilter
 import dev.lazyz.spi.ShadingObserver
 import java.io.IOException
@@ -20,18 +19,22 @@ import java.io.IOException
  * @property sampling the number of samples and their filter
  * @property pixels the pixels that a rendering returns
  */
-public class SampledFrame internal constructor(
+public class SampledFrame private constructor(
     public val sampling: SuperSampling,
     private val all: Frame,
     public val pixels: Region,
+    private val shaded: Frame,
 ) {
+    internal constructor(sampling: SuperSampling, all: Frame, pixels: Region) :
+        this(sampling, all, pixels, sampling.points?.let { all.shadedAt(it) } ?: all)
+
     init {
         val picture = Region(0, 0, all.raster.width / sampling.factor, all.raster.height / sampling.factor)
         require(picture.contains(pixels)) { "$pixels must be within the picture, $picture" }
     }
 
     /** The samples of the [pixels]; with a filter that is wider than a pixel, also those of the pixels around them. */
-    public val frame: Frame = all.within(samples())
+    public val frame: Frame = shaded.within(samples())
 
     private fun samples(): Region {
         val factor = sampling.factor
@@ -50,19 +53,12 @@ public class SampledFrame internal constructor(
 
     private val isBox: Boolean get() = sampling.filter == PixelFilter.BOX
 
-    private val isShadedLate: Boolean get() = sampling.rate == ShadingRate.PIXEL && sampling.factor > 1
-
     /** Bytes held between the samples and the pixels, while the frame is rendered. */
     internal val filterBytes: Long
-        get() {
-            val filter = when {
-                isPlain -> 0
-                isBox -> BoxSink.bytes(pixels)
-                else -> FilterSink.bytes(sampling.taps, pixels)
-            }
-            if (!isShadedLate) return filter
-            val rows = if (isBox) 0 else SampleRows.bytes(sampling.factor, frame.width)
-            return filter + rows + PixelShading.bytes(frame, sampling.factor)
+        get() = when {
+            isPlain -> 0
+            isBox -> BoxSink.bytes(pixels)
+            else -> FilterSink.bytes(sampling.taps, pixels)
         }
 
     /**
@@ -70,7 +66,7 @@ public class SampledFrame internal constructor(
      *
      * @throws IllegalArgumentException if [region] is not within the picture
      */
-    public fun within(region: Region): SampledFrame = SampledFrame(sampling, all, region)
+    public fun within(region: Region): SampledFrame = SampledFrame(sampling, all, region, shaded)
 
     /** Returns this frame with all primitives opaque, see [Frame.asOpaque]. */
     public fun asOpaque(): SampledFrame = SampledFrame(sampling, all.asOpaque(), pixels)
@@ -83,8 +79,6 @@ public class SampledFrame internal constructor(
      * Renders the samples, and passes every row of pixels to [sink]. Throws like [Renderer.render].
      *
      * @return the work, counted in samples
-     * @throws IllegalArgumentException if the shading rate is [ShadingRate.PIXEL], and the frame has translucent
-     *   primitives
      */
     @Throws(InterruptedException::class, IOException::class)
     public fun render(renderer: Renderer, sink: RowSink): Counters = render(renderer, sink, null)
@@ -95,20 +89,13 @@ public class SampledFrame internal constructor(
      */
     internal fun render(renderer: Renderer, sink: RowSink, tap: ((RowSink) -> RowSink)?): Counters {
         if (isPlain) return renderer.render(frame, tapped(sink, tap))
-        require(!isShadedLate || !frame.hasTranslucency) {
-            "translucent primitives are shaded at every sample: use ShadingRate.SAMPLE"
+        if (isBox && tap == null) renderer.renderPixels(frame, sampling.factor, sink)?.let { return it }
+        val filter = if (isBox) {
+            BoxSink(sampling.factor, frame, pixels, sink)
+        } else {
+            FilterSink(sampling.taps, frame, pixels, sink)
         }
-        if (isBox && tap == null) {
-            renderer.renderPixels(frame, sampling.factor, sampling.rate, sink)?.let { return it }
-        }
-        val box = if (isBox) BoxSink(sampling.factor, frame, pixels, sink) else null
-        val filter: RowSink = box ?: FilterSink(sampling.taps, frame, pixels, sink)
-        if (!isShadedLate) return renderer.render(frame, tapped(filter, tap))
-
-        // Find the visible primitives first, without their colours
-        val colors = box ?: SampleRows(sampling.factor, frame.width, filter)
-        val shading = PixelShading(frame, sampling.factor, colors)
-        return shading.counted(renderer.render(frame.unshaded(), tapped(shading, tap)))
+        return renderer.render(frame, tapped(filter, tap))
     }
 
     private fun tapped(sink: RowSink, tap: ((RowSink) -> RowSink)?): RowSink = if (tap == null) sink else tap(sink)

@@ -5,6 +5,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.ShadingRate
+import dev.lazyz.setup.ShadingPoints
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
@@ -44,6 +45,9 @@ public class SuperSampling @JvmOverloads constructor(
     }
 
     internal val taps = FilterTaps(filter, factor)
+
+    /** Where primitives are shaded that are shaded once a pixel, or null if there are none. */
+    internal val points = if (factor == 1 || rate == ShadingRate.SAMPLE) null else ShadingPoints(factor, rate)
 
     /**
      * Sets up [scene] for the samples of [pixels]. Sizes of [Points] and [Lines] stay as they are in pixels, see

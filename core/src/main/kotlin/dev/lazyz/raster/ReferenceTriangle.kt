@@ -134,10 +134,3 @@ internal class ReferenceTriangle(val x0: Int, val y0: Int, val x1: Int, val y1: 
         const val ERROR_BOUND: Double = 0.8
     }
 }
-
-/** The edge functions of a reference triangle, see [ReferenceTriangle.edgeFunction]. Immutable. */
-internal class EdgeFunctions(reference: ReferenceTriangle) {
-    val first: LinearForm = reference.edgeFunction(0)
-    val second: LinearForm = reference.edgeFunction(1)
-    val third: LinearForm = reference.edgeFunction(2)
-}

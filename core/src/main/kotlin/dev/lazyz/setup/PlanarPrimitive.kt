@@ -2,7 +2,7 @@ package dev.lazyz.setup
 
 import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
-import dev.lazyz.raster.EdgeFunctions
+import dev.lazyz.raster.EdgeForms
 import dev.lazyz.raster.EdgeTable
 import dev.lazyz.raster.ReferenceTriangle
 import dev.lazyz.raster.TrapezoidCursor
@@ -57,7 +57,7 @@ internal class PlanarPrimitive(
     override val heldBytes: Long get() = HeapLayout.PLANAR + edges.heldBytes
 
     /** Created on first use. The object is immutable and always the same, so a race between threads is harmless. */
-    private var edgeFunctions: EdgeFunctions? = null
+    private var edgeForms: EdgeForms? = null
 
     override fun spans(y: Int, spans: Spans) {
         edges.spans(y, spans)
@@ -73,20 +73,20 @@ internal class PlanarPrimitive(
 
     override fun geometry(fragment: Fragment): Unit = mixAt(fragment, GEOMETRY)
 
-    /** Sets the attributes [fields] to those at the sample of [fragment]. */
+    /** Sets the attributes [fields] to those at the sample of [fragment], or half a sample further. */
     private fun mixAt(fragment: Fragment, fields: Int) {
-        val forms = edgeFunctions()
-        mix(
-            fragment,
-            fields,
-            forms.first.at(fragment.x, fragment.y),
-            forms.second.at(fragment.x, fragment.y),
-            forms.third.at(fragment.x, fragment.y),
-        )
+        val forms = edgeForms()
+        val x = fragment.x
+        val y = fragment.y
+        val half = fragment.halfSteps
+        mix(fragment, fields, forms.at0(x, y, half), forms.at1(x, y, half), forms.at2(x, y, half))
     }
 
+    /** Returns where this triangle is shaded in the pixel of a sample that it covers, see [ShadingPoints.find]. */
+    fun shadingPoint(points: ShadingPoints, x: Int, y: Int): Int = points.find(edgeForms(), x, y)
+
     override fun shadingCursor(x: Int, y: Int): ShadingCursor? =
-        if (fields == 0) null else WeightCursor(edgeFunctions(), x, y)
+        if (fields == 0) null else WeightCursor(edgeForms(), x, y)
 
     /**
      * Measured: a step (three additions to fields of a cursor) takes as long as a direct evaluation (six
@@ -94,19 +94,21 @@ internal class PlanarPrimitive(
      */
     override val shadingStartCost: Int get() = 0
 
-    private fun edgeFunctions(): EdgeFunctions =
-        edgeFunctions ?: EdgeFunctions(reference).also { edgeFunctions = it }
+    private fun edgeForms(): EdgeForms = edgeForms ?: EdgeForms().also {
+        it.opposite(reference.x0, reference.y0, reference.x1, reference.y1, reference.x2, reference.y2)
+        edgeForms = it
+    }
 
     /** Steps the three edge functions along a row. */
-    private inner class WeightCursor(private val forms: EdgeFunctions, x: Int, y: Int) : ShadingCursor {
-        private var first = forms.first.at(x, y)
-        private var second = forms.second.at(x, y)
-        private var third = forms.third.at(x, y)
+    private inner class WeightCursor(private val forms: EdgeForms, x: Int, y: Int) : ShadingCursor {
+        private var first = forms.at0(x, y)
+        private var second = forms.at1(x, y)
+        private var third = forms.at2(x, y)
 
         override fun step() {
-            first += forms.first.dx
-            second += forms.second.dx
-            third += forms.third.dx
+            first += forms.e0dx
+            second += forms.e1dx
+            third += forms.e2dx
         }
 
         override fun shade(fragment: Fragment) {
@@ -161,11 +163,11 @@ internal class PlanarPrimitive(
 
     /** Sets the derivatives of the texture coordinates (contract rules 6.6 and 6.12). */
     private fun footprint(fragment: Fragment, first: Long, second: Long, third: Long) {
-        val forms = edgeFunctions()
+        val forms = edgeForms()
         TextureFootprint.of(
             first.toDouble(), second.toDouble(), third.toDouble(),
-            forms.first.dx, forms.second.dx, forms.third.dx,
-            forms.first.dy, forms.second.dy, forms.third.dy,
+            forms.e0dx, forms.e1dx, forms.e2dx,
+            forms.e0dy, forms.e1dy, forms.e2dy,
             1.0 / vertices.get(corners[0], Vertices.W), 1.0 / vertices.get(corners[1], Vertices.W),
             1.0 / vertices.get(corners[2], Vertices.W), reference.size.toDouble() * leastInverseW,
             fragment.footprintSide,

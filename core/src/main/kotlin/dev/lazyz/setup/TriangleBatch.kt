@@ -90,5 +90,6 @@ internal fun Primitive.sharedVertices(): Vertices? = when (this) {
     is MaskedPrimitive -> whole.sharedVertices()
     is OpaquePrimitive -> whole.sharedVertices()
     is ObservedPrimitive -> whole.sharedVertices()
+    is PixelShadedPrimitive -> whole.sharedVertices()
     else -> null
 }

@@ -77,12 +77,11 @@ internal class LateShading(
 
     /**
      * As [shade], for a [primitive] that need not be in the frame. Returns a fragment with the unpacked colour, which
-     * is valid until the next call. Its footprint is [side] samples wide and high; not 1 only with [Coherence.DIRECT].
+     * is valid until the next call.
      */
-    fun shaded(x: Int, y: Int, index: Int, primitive: Primitive, side: Int = 1): Fragment {
+    fun shaded(x: Int, y: Int, index: Int, primitive: Primitive): Fragment {
         checkpoint.pass()
         counters.shadingCalls++
-        fragment.footprintSide = side
         fragment.moveTo(x, y)
         val cursor = if (mayStep(primitive)) cursorAt(x, y, index, primitive) else null
         if (cursor != null) {

@@ -49,6 +49,17 @@ internal class MaterialShader(
     /** Whether the light of many fragments can be computed together. */
     private val hasMaps = texture != null || normalMap != null || occlusionMap != null || modelMap != null
 
+    /**
+     * Whether colours change little within a pixel: there are no maps, and no highlights that may be narrower than a
+     * pixel (contract rule 6.13).
+     */
+    val isSmooth: Boolean = !hasMaps && emissionMap == null && (!isLit || hasWideHighlights())
+
+    private fun hasWideHighlights(): Boolean = when {
+        model != null -> model.roughness >= LEAST_ROUGHNESS
+        else -> material.specular == Rgba.BLACK || material.shininess <= MOST_SHININESS
+    }
+
     override fun shade(fragment: Fragment) {
         // Base colour x vertex colour x texture
         var red = fragment.vertexRed
@@ -317,6 +328,10 @@ internal class MaterialShader(
         /** Scratch memory of a batch for metallicness, after that of [BatchPhysicalLighting]. */
         const val METALLIC = BatchPhysicalLighting.ARRAYS
         const val ARRAYS = METALLIC + 1
+
+        /** Bounds of the highlights that one fragment may stand for. */
+        const val LEAST_ROUGHNESS = 0.25f
+        const val MOST_SHININESS = 64
 
         /** The part of an opacity by which the filter of a texture may round it: 2^-18. */
         const val FILTER_ROUNDING = 1f / (1 shl 18)

@@ -7,7 +7,6 @@ import dev.lazyz.Frame
 import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions.Coherence
-import dev.lazyz.ShadingRate
 import dev.lazyz.raster.bytes
 import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.TriangleBatch
@@ -29,7 +28,7 @@ import dev.lazyz.strategies.tiled.resolve.TileSamples
 /**
  * Renders tiles, one after the other. Holds the working memory of one thread.
  *
- * @param side how many samples wide and high a pixel of the result is, if it is shaded as [rate] says
+ * @param side how many samples wide and high a pixel of the result is
  */
 internal class TileRenderer(
     private val frame: Frame,
@@ -38,7 +37,6 @@ internal class TileRenderer(
     kernels: Kernels,
     private val checkpoint: Checkpoint,
     side: Int,
-    rate: ShadingRate,
 ) {
     /** Counters of the tiles rendered here. */
     val counters: Counters.Builder = Counters.Builder()
@@ -55,7 +53,7 @@ internal class TileRenderer(
     private val shading = if (side == 1) {
         TileSamples(frame, keys, layers, coherence, kernels.fragments(), counters, checkpoint)
     } else {
-        TilePixels(frame, keys, layers, kernels.fragments(), counters, checkpoint, side, rate)
+        TilePixels(frame, keys, layers, kernels.fragments(), counters, checkpoint, side)
     }
     private var cursorBytes = 0L
 

@@ -9,7 +9,6 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.RowSink
-import dev.lazyz.ShadingRate
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.StreamingRenderer.Rendering
 import dev.lazyz.Workers
@@ -160,10 +159,10 @@ public class TiledRenderer internal constructor(
     }
 
     /** Adds up the samples of each pixel within its tile, if pixels divide tiles and the frame is in memory. */
-    override fun renderPixels(frame: Frame, side: Int, rate: ShadingRate, sink: RowSink): Counters? {
+    override fun renderPixels(frame: Frame, side: Int, sink: RowSink): Counters? {
         if (frame.isStreamed || coherence == Coherence.INCREMENTAL || tileSize % side != 0) return null
         val pool = takePool()
-        return render(frame, sink, pool, side, rate).also { keep(pool) }
+        return render(frame, sink, pool, side).also { keep(pool) }
     }
 
     /** Takes the pool that was kept: concurrent renderings each have their own. */
@@ -171,17 +170,11 @@ public class TiledRenderer internal constructor(
 
     private fun keep(pool: ArrayPool) = kept.set(SoftReference(pool))
 
-    private fun render(
-        frame: Frame,
-        sink: RowSink,
-        pool: ArrayPool,
-        side: Int = 1,
-        rate: ShadingRate = ShadingRate.SAMPLE,
-    ): Counters {
+    private fun render(frame: Frame, sink: RowSink, pool: ArrayPool, side: Int = 1): Counters {
         pool.begin()
         val workers = Workers(threads, executor)
         val grid = TileGrid(frame.region, tileSize)
-        return TiledRendering(frame, grid, coherence, workers, kernels(), pool, side, rate).run(sink)
+        return TiledRendering(frame, grid, coherence, workers, kernels(), pool, side).run(sink)
     }
 
     override fun toString(): String = "TiledRenderer($coherence, threads=$threads, tileSize=$tileSize)"

@@ -6,7 +6,6 @@ import dev.lazyz.Frame
 import dev.lazyz.Helpers
 import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.RowSink
-import dev.lazyz.ShadingRate
 import dev.lazyz.Workers
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.strategies.tiled.binning.ActivePrimitives
@@ -30,7 +29,6 @@ internal class TiledRendering(
     private val kernels: Kernels,
     private val pool: ArrayPool,
     private val side: Int,
-    private val rate: ShadingRate,
 ) {
     private val columns = grid.columns.toLong()
 
@@ -58,7 +56,7 @@ internal class TiledRendering(
     /** One for each thread; the first belongs to the calling thread. */
     private val renderers = List(threadCount) { number ->
         val checkpoint = if (number == 0) callerCheckpoint else schedule
-        TileRenderer(frame, grid, coherence, kernels, checkpoint, side, rate)
+        TileRenderer(frame, grid, coherence, kernels, checkpoint, side)
     }
 
     /** Renders the frame and passes every row to [sink]. */

@@ -312,24 +312,15 @@ internal class PictureSteps(
     private fun sampled(scene: Scene, raster: Raster): SampledFrame {
         val aa = PictureParameters.AA
         val filter = settings[PictureParameters.AA_FILTER] ?: PixelFilter.BOX
-        val wish = SuperSampling(settings.factor, filter)
+
+        // Occlusion makes shading expensive, so that a pixel is shaded once
+        val rate = settings.orDefault(PictureParameters.SHADING_RATE)
+            ?: if (settings.hasOcclusion) ShadingRate.PIXEL else ShadingRate.AUTO
+        val wish = SuperSampling(settings.factor, filter, rate)
         val obstacle = wish.obstacle(scene, raster)
         if (obstacle != null && settings[aa] != null) {
             refuse("${names.of(aa, wish.factor)}: $obstacle; use ${names.of(aa, 1)}")
         }
-        val sampling = if (obstacle == null) wish else SuperSampling(1, filter)
-        val sampled = sampling.frame(scene, raster, options)
-
-        // Occlusion makes shading expensive, so that a pixel is shaded once
-        val rate = settings.orDefault(PictureParameters.SHADING_RATE)
-            ?: if (settings.hasOcclusion) ShadingRate.PIXEL else ShadingRate.SAMPLE
-        if (rate == ShadingRate.SAMPLE) return sampled
-        if (!sampled.frame.hasTranslucency) {
-            return SuperSampling(sampling.factor, filter, ShadingRate.PIXEL).of(sampled.frame)
-        }
-        if (settings[PictureParameters.SHADING_RATE] == null) return sampled
-        val pixel = names.of(PictureParameters.SHADING_RATE, "pixel")
-        val sample = names.of(PictureParameters.SHADING_RATE, "sample")
-        refuse("$pixel: the scene is translucent; use $sample, or ${names.of(PictureParameters.OPAQUE)}")
+        return (if (obstacle == null) wish else SuperSampling(1, filter)).frame(scene, raster, options)
     }
 }

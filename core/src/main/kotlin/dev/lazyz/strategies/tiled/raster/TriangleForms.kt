@@ -2,6 +2,7 @@ package dev.lazyz.strategies.tiled.raster
 
 import dev.lazyz.DepthTest
 import dev.lazyz.raster.Edge
+import dev.lazyz.raster.EdgeForms
 import dev.lazyz.raster.ReferenceTriangle
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.TriangleBatch
@@ -134,29 +135,4 @@ internal class TriangleForms(private val test: DepthTest) : EdgeForms() {
         /** The upper half of a key. */
         const val DEPTH_BITS = -1L shl Int.SIZE_BITS
     }
-}
-
-/**
- * The three edge functions of a triangle, as linear forms: values at an origin sample, and steps by column and row.
- *
- * These are fields, not properties, because the innermost loops read them.
- */
-internal abstract class EdgeForms {
-    @JvmField var e0: Long = 0L
-
-    @JvmField var e1: Long = 0L
-
-    @JvmField var e2: Long = 0L
-
-    @JvmField var e0dx: Long = 0L
-
-    @JvmField var e1dx: Long = 0L
-
-    @JvmField var e2dx: Long = 0L
-
-    @JvmField var e0dy: Long = 0L
-
-    @JvmField var e1dy: Long = 0L
-
-    @JvmField var e2dy: Long = 0L
 }

@@ -1,6 +1,6 @@
 package dev.lazyz.strategies.tiled.resolve
 
-import dev.lazyz.raster.Edge
+import dev.lazyz.raster.EdgeForms
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.FaceStage
 import dev.lazyz.setup.PerspectiveWeights
@@ -14,7 +14,6 @@ import dev.lazyz.spi.Attributes
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.spi.Shader
-import dev.lazyz.strategies.tiled.raster.EdgeForms
 
 /**
  * The data of a flat primitive, prepared for shading many of its samples: a reusable form of a [PlanarPrimitive].
@@ -89,7 +88,7 @@ internal class Face : EdgeForms() {
         val ga = TriangleBatch.STRIDE * a
         val gb = TriangleBatch.STRIDE * b
         val gc = TriangleBatch.STRIDE * c
-        edges(grid[ga], grid[ga + 1], grid[gb], grid[gb + 1], grid[gc], grid[gc + 1])
+        opposite(grid[ga], grid[ga + 1], grid[gb], grid[gb + 1], grid[gc], grid[gc + 1])
     }
 
     /** Loads the [primitive] with submission index [index]; [scratch] is used to compute its colour. */
@@ -105,7 +104,7 @@ internal class Face : EdgeForms() {
         over0 = 1.0 / vertices.get(0, Vertices.W)
         over1 = 1.0 / vertices.get(1, Vertices.W)
         over2 = 1.0 / vertices.get(2, Vertices.W)
-        edges(t.x0, t.y0, t.x1, t.y1, t.x2, t.y2)
+        opposite(t.x0, t.y0, t.x1, t.y1, t.x2, t.y2)
     }
 
     private fun findConstant(scratch: Fragment): Boolean {
@@ -149,40 +148,24 @@ internal class Face : EdgeForms() {
             least == 0.0
     }
 
-    private fun edges(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int) {
-        val sign = if (Edge.function(ax, ay, bx, by, cx, cy) < 0) -1L else 1L
-        val steps = sign * ScreenGrid.STEPS
-        e0dx = -steps * (cy - by)
-        e0dy = steps * (cx - bx)
-        e0 = sign * edge(bx, by, cx, cy)
-        e1dx = -steps * (ay - cy)
-        e1dy = steps * (ax - cx)
-        e1 = sign * edge(cx, cy, ax, ay)
-        e2dx = -steps * (by - ay)
-        e2dy = steps * (bx - ax)
-        e2 = sign * edge(ax, ay, bx, by)
-    }
-
-    private fun edge(fromX: Int, fromY: Int, toX: Int, toY: Int): Long =
-        Edge.function(fromX, fromY, toX, toY, ScreenGrid.CENTER, ScreenGrid.CENTER)
-
-    /** Fills in the attributes of one sample, at index [i] of [batch]. Its footprint has the side [side]. */
-    fun attributes(batch: FragmentBatch, i: Int, x: Int, y: Int, side: Int) {
-        val at0 = (e0 + e0dx * x + e0dy * y).toDouble()
-        val at1 = (e1 + e1dx * x + e1dy * y).toDouble()
-        val at2 = (e2 + e2dx * x + e2dy * y).toDouble()
-        PerspectiveWeights.of(at0, at1, at2, over0, over1, over2, least) { w0, w1, w2, _ -> mix(batch, i, w0, w1, w2) }
-        if (fields and Attributes.FOOTPRINT != 0) footprint(batch, i, x, y, side)
-    }
-
     /**
-     * Fills in the derivatives of the texture coordinates of one sample, at index [i] of [batch], for a footprint that
-     * is [side] samples wide and high.
+     * Fills in the attributes of one sample, at index [i] of [batch].
+     *
+     * @param half by how many half samples they are further right and down, see [Fragment.halfSteps]
+     * @param side see [Fragment.footprintSide]
      */
-    fun footprint(batch: FragmentBatch, i: Int, x: Int, y: Int, side: Int) {
+    fun attributes(batch: FragmentBatch, i: Int, x: Int, y: Int, half: Int, side: Int) {
+        val at0 = at0(x, y, half).toDouble()
+        val at1 = at1(x, y, half).toDouble()
+        val at2 = at2(x, y, half).toDouble()
+        PerspectiveWeights.of(at0, at1, at2, over0, over1, over2, least) { w0, w1, w2, _ -> mix(batch, i, w0, w1, w2) }
+        if (fields and Attributes.FOOTPRINT != 0) footprint(batch, i, x, y, half, side)
+    }
+
+    /** Fills in the derivatives of the texture coordinates of one sample, see [attributes]. */
+    fun footprint(batch: FragmentBatch, i: Int, x: Int, y: Int, half: Int, side: Int) {
         TextureFootprint.of(
-            (e0 + e0dx * x + e0dy * y).toDouble(), (e1 + e1dx * x + e1dy * y).toDouble(),
-            (e2 + e2dx * x + e2dy * y).toDouble(),
+            at0(x, y, half).toDouble(), at1(x, y, half).toDouble(), at2(x, y, half).toDouble(),
             e0dx, e1dx, e2dx, e0dy, e1dy, e2dy, over0, over1, over2, least, side,
         ) { w0, w1, w2, right0, right1, right2, down0, down1, down2 ->
             if (fields and Attributes.UV != 0) {

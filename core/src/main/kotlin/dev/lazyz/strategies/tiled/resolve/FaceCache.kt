@@ -3,7 +3,9 @@ package dev.lazyz.strategies.tiled.resolve
 import dev.lazyz.FrameContent
 import dev.lazyz.HeapLayout
 import dev.lazyz.setup.FaceStage
+import dev.lazyz.setup.PixelShadedPrimitive
 import dev.lazyz.setup.PlanarPrimitive
+import dev.lazyz.setup.ShadingPoints
 import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.Vertices
 import dev.lazyz.spi.Fragment
@@ -14,6 +16,9 @@ import dev.lazyz.spi.Fragment
  * @property isUsed whether the cache is enabled
  */
 internal class FaceCache(private val content: FrameContent, val isUsed: Boolean) {
+    /** Where primitives are shaded that have one colour in each pixel; null if none has. */
+    val points: ShadingPoints? = content.shading as ShadingPoints?
+
     /** Faces by the lower bits of their indices. */
     private val faces = arrayOfNulls<Face>(if (isUsed) FACES else 0)
 
@@ -26,7 +31,21 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
     val bytes: Long get() = faces.size * (HeapLayout.FACE + 3 * Vertices.LONG_STRIDE * Double.SIZE_BYTES)
 
     /** Whether primitive [index] has a face. */
-    fun isFlat(index: Int): Boolean = isUsed && (batch(index) >= 0 || content.single(index) is PlanarPrimitive)
+    fun isFlat(index: Int): Boolean = isUsed && (batch(index) >= 0 || flat(index) != null)
+
+    /** Returns the flat primitive that single primitive [index] is; a triangle also if it has one colour in a pixel. */
+    private fun flat(index: Int): PlanarPrimitive? {
+        val single = content.single(index)
+        if (single !is PixelShadedPrimitive) return single as? PlanarPrimitive
+        return (single.whole as? PlanarPrimitive)?.takeIf { it.isTriangle }
+    }
+
+    /** Whether primitive [index] has one colour in each pixel, see [ShadingPoints]. */
+    fun isOnce(index: Int): Boolean {
+        val points = points ?: return false
+        val number = if (isUsed) batch(index) else content.batchNumber(index)
+        return if (number >= 0) points.isOnce(setUp(number).shader) else content.single(index) is PixelShadedPrimitive
+    }
 
     /** Returns the face of primitive [index] if its colour is constant and this is known without loading the face. */
     fun constant(index: Int): Face? {
@@ -42,7 +61,7 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
         val known = faces[slot]
         if (known != null && known.index == index) return known
         val number = batch(index)
-        val flat = if (number < 0) content.single(index) as? PlanarPrimitive ?: return null else null
+        val flat = if (number < 0) flat(index) ?: return null else null
         val face = known ?: Face().also { faces[slot] = it }
         if (flat != null) {
             face.fill(index, flat, scratch)

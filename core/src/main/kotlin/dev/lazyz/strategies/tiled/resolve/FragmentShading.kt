@@ -6,8 +6,9 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions.Coherence
-import dev.lazyz.ShadingRate
 import dev.lazyz.bytes
+import dev.lazyz.raster.EdgeForms
+import dev.lazyz.setup.ShadingPoints
 import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.LateShading
 import dev.lazyz.spi.Attributes
@@ -18,11 +19,11 @@ import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /** Receives the colours of the samples of a tile. */
 internal interface FragmentSink {
-    /** Receives the colours, `0xAARRGGBB`, of the first [count] of these [places], see [PrimitiveRuns.place]. */
-    fun store(places: IntArray, argb: IntArray, count: Int)
+    /** Receives the colours [argb], `0xAARRGGBB`, of the samples that the [fragments] are for. */
+    fun store(fragments: WaitingFragments, argb: IntArray)
 
-    /** Receives one colour for [length] samples from place [start] on, [step] columns apart. */
-    fun fill(start: Int, length: Int, step: Int, argb: Int)
+    /** Receives the colour of [length] samples from place [start] on. */
+    fun fill(start: Int, length: Int, argb: Int)
 }
 
 /**
@@ -70,8 +71,10 @@ internal class FragmentShading(
 
     private val alone = FragmentBatch(1)
     private val fragment = Fragment()
-    private val place = IntArray(1)
-    private val color = IntArray(1)
+    private val points = faces.points
+
+    /** The edges of a small triangle. */
+    private val edges = EdgeForms()
 
     /** Peak number of bytes held. */
     val bytes: Long
@@ -95,31 +98,65 @@ internal class FragmentShading(
         single.beginRow()
     }
 
+    /** Adds the samples of the primitive [index] from place [start] on. It is shaded at each of these [length] samples. */
+    fun add(index: Int, start: Int, length: Int) = add(index, start, length, length)
+
     /**
-     * Adds a run of samples of the primitive [index]: [length] samples from place [start] on, which are [step] columns
-     * apart. With a [step] other than 1, footprints are as wide; all runs of a primitive have the same.
+     * Adds samples of a primitive with one colour in each pixel, see [isOnce]: [length] samples of one pixel and one
+     * row.
      */
-    fun add(index: Int, start: Int, length: Int, step: Int) {
+    fun addPart(index: Int, start: Int, length: Int) = add(index, start, length, 1)
+
+    /** Passes the part of the columns [from] until [until] of the tile in each pixel to [action]. */
+    inline fun forEachPart(from: Int, until: Int, action: (start: Int, end: Int) -> Unit) {
+        val side = points!!.side
+        var start = from
+        while (start < until) {
+            val end = minOf(until, start + side - Math.floorMod(keys.columnStart + start, side))
+            action(start, end)
+            start = end
+        }
+    }
+
+    /**
+     * Adds [count] pixels in a row, all of whose samples show a primitive with one colour in each pixel. It is shaded
+     * at their centres. [start] is the place of the first sample of the first of them; the sink gets the colours for
+     * the first sample of each.
+     */
+    fun addPixels(index: Int, start: Int, count: Int) = add(index, PrimitiveRuns.ofPixels(start), count, count)
+
+    private fun add(index: Int, start: Int, length: Int, fragments: Int) {
         var number = runs.find(index)
         if (number == PrimitiveRuns.NONE) {
-            if (isFine && length < FEW && canGatherSmall(index, length)) {
-                count(length)
-                return gatherSmall(index, start, length, step)
+            if (isFine && fragments < FEW && canGatherSmall(index, fragments)) {
+                count(fragments)
+                return gatherSmall(index, start, length)
             }
-            number = note(index, step)
+            number = note(index)
         }
         when (number) {
-            PrimitiveRuns.ONE_BY_ONE -> shadeEach(index, start, length, step)
+            PrimitiveRuns.ONE_BY_ONE -> shadeEach(index, start, length)
             PrimitiveRuns.CONSTANT -> {
-                count(length)
-                sink.fill(start, length, step, runs.color(index))
+                count(fragments)
+                fill(start, length, runs.color(index))
             }
             else -> {
-                count(length)
-                runs.add(number, start, length)
+                count(fragments)
+                runs.add(number, start, length, fragments)
             }
         }
     }
+
+    private fun fill(start: Int, length: Int, argb: Int) {
+        if (!PrimitiveRuns.isOfPixels(start)) return sink.fill(start, length, argb)
+        for (i in 0 until length) sink.fill(start + points!!.side * i, 1, argb)
+    }
+
+    /** Whether primitive [index] is flat, as far as this is known without looking for it. */
+    fun isFlat(index: Int): Boolean = faces.isUsed && faces.batch(index) >= 0
+
+    /** Whether primitive [index] has one colour in each pixel, see [ShadingPoints]. */
+    fun isOnce(index: Int): Boolean = points != null && faces.isOnce(index)
 
     /** Shades and stores what was added. Ends the tile. */
     fun finish() {
@@ -129,21 +166,28 @@ internal class FragmentShading(
         counters.peakSuspensions = maxOf(counters.peakSuspensions, counters.shadingCalls - shadedBefore)
     }
 
-    private fun shadeEach(index: Int, start: Int, length: Int, step: Int) {
+    private fun shadeEach(index: Int, start: Int, length: Int) {
         val primitive = primitive(index)
         val x = keys.columnStart + PrimitiveRuns.column(start)
         val y = keys.rowStart + PrimitiveRuns.row(start)
-        for (i in 0 until length) {
-            color[0] = single.shaded(x + step * i, y, index, primitive, step).toArgb()
-            place[0] = start + step * i
-            sink.store(place, color, 1)
+        if (PrimitiveRuns.isOfPixels(start)) {
+            val side = points!!.side
+            for (i in 0 until length) {
+                sink.fill(start + side * i, 1, single.shaded(x + side * i, y, index, primitive).toArgb())
+            }
+        } else if (isOnce(index)) {
+            sink.fill(start, length, single.shaded(x, y, index, primitive).toArgb())
+        } else {
+            for (i in 0 until length) {
+                sink.fill(start + i, 1, single.shaded(x + i, y, index, primitive).toArgb())
+            }
         }
     }
 
     /** Records a primitive that is encountered for the first time, see [PrimitiveRuns.find]. */
-    private fun note(index: Int, step: Int): Int {
+    private fun note(index: Int): Int {
         if (!faces.isFlat(index)) return runs.noteOneByOne(index)
-        val constant = faces.constant(index) ?: return runs.note(index, step)
+        val constant = faces.constant(index) ?: return runs.note(index)
         return runs.noteConstant(index, constant.argb)
     }
 
@@ -156,20 +200,20 @@ internal class FragmentShading(
     /** Computes the colours of all samples of group number [group] of [runs], or adds the samples to those waiting. */
     private fun shadeAll(number: Int) {
         val index = runs.index(number)
-        val step = runs.step(number)
         if (runs.size(number) < FEW && canGatherSmall(index, runs.size(number))) {
-            return runs.forEach(number) { start, length -> gatherSmall(index, start, length, step) }
+            return runs.forEach(number) { start, length -> gatherSmall(index, start, length) }
         }
         val face = faces.face(index)!!
         if (face.isConstant) {
-            runs.forEach(number) { start, length -> sink.fill(start, length, step, face.argb) }
+            runs.forEach(number) { start, length -> fill(start, length, face.argb) }
         } else {
-            gather(number, face, step)
+            gather(number, face, isOnce(index))
         }
     }
 
     /** Adds the samples of a face to those waiting. */
-    private fun gather(number: Int, face: Face, step: Int) {
+    private fun gather(number: Int, face: Face, isOnce: Boolean) {
+        val side = if (isOnce) points!!.side else 1
         if (face.shader !== shader || face.fields != waiting.batch.fields) {
             flush()
             shader = face.shader
@@ -180,16 +224,41 @@ internal class FragmentShading(
             var done = 0
             while (done < length) {
                 if (waiting.room == 0) {
-                    kernel.attributes(face, waiting, first, keys.columnStart, keys.rowStart, step)
+                    kernel.attributes(face, waiting, first, keys.columnStart, keys.rowStart, side)
                     flush()
                     first = 0
                 }
-                val count = minOf(length - done, waiting.room)
-                waiting.add(start + step * done, count, step)
-                done += count
+                if (isOnce && !PrimitiveRuns.isOfPixels(start)) {
+                    gatherPart(waiting, start, length, face)
+                    done = length
+                } else {
+                    val count = minOf(length - done, waiting.room)
+                    if (isOnce) gatherPixels(waiting, start + side * done, count) else waiting.add(start + done, count)
+                    done += count
+                }
             }
         }
-        kernel.attributes(face, waiting, first, keys.columnStart, keys.rowStart, step)
+        kernel.attributes(face, waiting, first, keys.columnStart, keys.rowStart, side)
+    }
+
+    /** Adds fragments at the centres of [count] pixels, see [addPixels]. */
+    private fun gatherPixels(fragments: WaitingFragments, start: Int, count: Int) {
+        val side = points!!.side
+        val column = PrimitiveRuns.column(start) + 0.5 * (side - 1)
+        val row = PrimitiveRuns.row(start) + 0.5 * (side - 1)
+        for (i in 0 until count) fragments.add(start + side * i, 1, column + side * i, row)
+    }
+
+    /** Adds a fragment at the shading point of a triangle with these edges in the pixel of a sample, see [addPart]. */
+    private fun gatherPart(fragments: WaitingFragments, start: Int, length: Int, edges: EdgeForms) {
+        val points = points!!
+        val x = keys.columnStart + PrimitiveRuns.column(start)
+        val y = keys.rowStart + PrimitiveRuns.row(start)
+        val number = points.find(edges, x, y)
+        val column = points.column(number, x) - keys.columnStart
+        val row = points.row(number, y) - keys.rowStart
+        val half = 0.5 * points.half(number)
+        fragments.add(start, length, column + half, row + half)
     }
 
     /**
@@ -211,10 +280,20 @@ internal class FragmentShading(
      * Adds samples of primitive [index] to the waiting ones of small triangles; [canGatherSmall] must have returned
      * true.
      */
-    private fun gatherSmall(index: Int, start: Int, length: Int, step: Int) {
+    private fun gatherSmall(index: Int, start: Int, length: Int) {
         val first = waitingSmall.size
-        waitingSmall.add(start, length, step)
-        smallTriangles.fill(index - content.batches[smallBatch].first, first, first + length)
+        val triangle = index - content.batches[smallBatch].first
+        if (PrimitiveRuns.isOfPixels(start)) {
+            gatherPixels(waitingSmall, start, length)
+        } else if (isOnce(index)) {
+            content.triangleBatch(smallBatch).vertices(triangle) { ax, ay, bx, by, cx, cy ->
+                edges.opposite(ax, ay, bx, by, cx, cy)
+            }
+            gatherPart(waitingSmall, start, length, edges)
+        } else {
+            waitingSmall.add(start, length)
+        }
+        smallTriangles.fill(triangle, first, waitingSmall.size)
     }
 
     /** Shades the waiting fragments of faces. */
@@ -229,7 +308,7 @@ internal class FragmentShading(
         if (waitingSmall.size == 0) return
         val setUp = faces.setUp(smallBatch)
         waitingSmall.locate(keys.columnStart, keys.rowStart)
-        scattered.fill(waitingSmall.batch, content.triangleBatch(smallBatch), smallTriangles, setUp)
+        scattered.fill(waitingSmall, content.triangleBatch(smallBatch), smallTriangles, setUp)
         shade(waitingSmall, setUp.shader)
     }
 
@@ -269,12 +348,25 @@ internal class FragmentShading(
             face.shadeConstant(fragment)
         } else {
             alone.begin(face.fields)
-            alone.place(0, x, y, 1)
-            face.attributes(alone, 0, x, y, 1)
+            attributes(face, x, y, isOnce(index))
             alone.moveTo(fragment, 0)
             face.shader.shade(fragment)
         }
         return fragment
+    }
+
+    /** Sets the attributes of [alone] to those of a sample, or of the shading point in its pixel. */
+    private fun attributes(face: Face, x: Int, y: Int, isOnce: Boolean) {
+        if (!isOnce) {
+            alone.place(0, x, y, 1)
+            return face.attributes(alone, 0, x, y, half = 0, side = 1)
+        }
+        val points = points!!
+        val number = points.find(face, x, y)
+        val column = points.column(number, x)
+        val row = points.row(number, y)
+        alone.place(0, column, row, 1)
+        face.attributes(alone, 0, column, row, points.half(number), points.side)
     }
 
     private companion object {

@@ -2,6 +2,7 @@ package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.bytes
 import dev.lazyz.spi.FragmentBatch
+import kotlin.math.floor
 
 /**
  * The runs of a tile's visible samples, grouped by primitive. A run consists of adjacent samples on a row that show the
@@ -16,9 +17,8 @@ internal class PrimitiveRuns {
     private val groups = IntArray(SLOTS)
     private val colors = IntArray(SLOTS)
 
-    /** For each group, the primitive's index, how far its samples are apart, their number, and the last run. */
+    /** For each group, the primitive's index, the number of fragments, and the last run. */
     private var indices = IntArray(CAPACITY)
-    private var steps = IntArray(CAPACITY)
     private var sizes = IntArray(CAPACITY)
     private var lasts = IntArray(CAPACITY)
 
@@ -35,7 +35,7 @@ internal class PrimitiveRuns {
     private var runCount = 0
 
     /** Bytes held. */
-    val bytes: Long get() = Int.SIZE_BYTES * (3L * SLOTS + 4L * indices.size + 3L * starts.size)
+    val bytes: Long get() = Int.SIZE_BYTES * (3L * SLOTS + 3L * indices.size + 3L * starts.size)
 
     /** Begins a tile. */
     fun begin() {
@@ -53,19 +53,14 @@ internal class PrimitiveRuns {
         return if (owners[slot] == index) groups[slot] else NONE
     }
 
-    /**
-     * Records an unknown primitive whose samples are to be collected, and returns the number of its new group. The
-     * samples of a run are [step] columns apart.
-     */
-    fun note(index: Int, step: Int): Int {
+    /** Records an unknown primitive whose samples are to be collected, and returns the number of its new group. */
+    fun note(index: Int): Int {
         if (count == indices.size) {
             indices = indices.copyOf(2 * count)
-            steps = steps.copyOf(2 * count)
             sizes = sizes.copyOf(2 * count)
             lasts = lasts.copyOf(2 * count)
         }
         indices[count] = index
-        steps[count] = step
         sizes[count] = 0
         lasts[count] = NONE
         return record(index, count++)
@@ -89,8 +84,8 @@ internal class PrimitiveRuns {
     /** The colour of a primitive that was recorded as [CONSTANT]. */
     fun color(index: Int): Int = colors[index and SLOTS - 1]
 
-    /** Adds a run to group number [group]. */
-    fun add(group: Int, start: Int, length: Int) {
+    /** Adds a run with this number of [fragments] to group number [group]. */
+    fun add(group: Int, start: Int, length: Int, fragments: Int) {
         if (runCount == starts.size) {
             starts = starts.copyOf(2 * runCount)
             lengths = lengths.copyOf(2 * runCount)
@@ -99,17 +94,14 @@ internal class PrimitiveRuns {
         starts[runCount] = start
         lengths[runCount] = length
         previous[runCount] = lasts[group]
-        sizes[group] += length
+        sizes[group] += fragments
         lasts[group] = runCount++
     }
 
     /** The primitive's index of group number [group]. */
     fun index(group: Int): Int = indices[group]
 
-    /** How many columns the samples of a run of group number [group] are apart. */
-    fun step(group: Int): Int = steps[group]
-
-    /** Number of samples of group number [group]. */
+    /** Number of fragments of group number [group]. */
     fun size(group: Int): Int = sizes[group]
 
     /** Calls [action] for each run of group number [group]. */
@@ -134,11 +126,20 @@ internal class PrimitiveRuns {
         /** Bits of a column within a tile; a tile has at most 512 columns. */
         private const val COLUMN_BITS = 9
 
+        /** Marks the start of a run of whole pixels, see [FragmentShading.addPixels]. */
+        private const val PIXELS = 1 shl 2 * COLUMN_BITS
+
         /** Returns the place of a sample of a tile. */
         fun place(row: Int, column: Int): Int = row shl COLUMN_BITS or column
 
         /** The row of a place. */
-        fun row(place: Int): Int = place ushr COLUMN_BITS
+        fun row(place: Int): Int = place ushr COLUMN_BITS and (1 shl COLUMN_BITS) - 1
+
+        /** Marks the [place] of the first sample of a run of whole pixels. */
+        fun ofPixels(place: Int): Int = place or PIXELS
+
+        /** Whether a run that starts at this [place] is one of whole pixels. */
+        fun isOfPixels(place: Int): Boolean = place and PIXELS != 0
 
         /** The column of a place. */
         fun column(place: Int): Int = place and (1 shl COLUMN_BITS) - 1
@@ -155,10 +156,11 @@ internal class WaitingFragments {
     /** Attributes and colours of the fragments. Their number and their samples are set by [locate]. */
     val batch: FragmentBatch = FragmentBatch(FragmentBatch.ROOM)
 
-    /** The place of each fragment in the tile, see [PrimitiveRuns.place]. */
-    private val places = IntArray(FragmentBatch.CAPACITY)
+    /** The sample of each fragment, see [PrimitiveRuns.place], and for how many samples of the row from there it is. */
+    val places: IntArray = IntArray(FragmentBatch.CAPACITY)
+    val lengths: IntArray = IntArray(FragmentBatch.CAPACITY)
 
-    /** Columns and rows within the tile, as doubles for arithmetic. */
+    /** Where they are shaded: columns and rows within the tile, as doubles for arithmetic. Also half of a sample. */
     val columns: DoubleArray = DoubleArray(FragmentBatch.ROOM)
     val rows: DoubleArray = DoubleArray(FragmentBatch.ROOM)
 
@@ -170,38 +172,57 @@ internal class WaitingFragments {
     val room: Int get() = FragmentBatch.CAPACITY - size
 
     /** Bytes held. */
-    val bytes: Long get() = batch.bytes + places.bytes + columns.bytes + rows.bytes
+    val bytes: Long get() = batch.bytes + places.bytes + lengths.bytes + columns.bytes + rows.bytes
 
-    /** Adds [length] fragments from place [start] on, [step] columns apart. There must be [room] for them. */
-    fun add(start: Int, length: Int, step: Int) {
+    /** Adds [length] adjacent fragments from place [start] on. There must be [room] for them. */
+    fun add(start: Int, length: Int) {
         val column = PrimitiveRuns.column(start)
         val row = PrimitiveRuns.row(start).toDouble()
-        if (length < LONG || step != 1) {
+        if (length < LONG) {
             for (i in 0 until length) {
-                places[size + i] = start + step * i
-                columns[size + i] = COLUMNS[column + step * i]
+                places[size + i] = start + i
+                lengths[size + i] = 1
+                columns[size + i] = COLUMNS[column + i]
                 rows[size + i] = row
             }
         } else {
             for (i in 0 until length) places[size + i] = start + i
+            lengths.fill(1, size, size + length)
             System.arraycopy(COLUMNS, column, columns, size, length)
             rows.fill(row, size, size + length)
         }
         size += length
     }
 
+    /** Adds a fragment for [length] samples from place [start] on, which is shaded at this [column] and [row]. */
+    fun add(start: Int, length: Int, column: Double, row: Double) {
+        places[size] = start
+        lengths[size] = length
+        columns[size] = column
+        rows[size++] = row
+    }
+
+    /** The column of the raster of fragment [i], if the tile starts at [x]. */
+    fun column(i: Int, x: Int): Int = x + floor(columns[i]).toInt()
+
+    /** The row of the raster of fragment [i], if the tile starts at [y]. */
+    fun row(i: Int, y: Int): Int = y + floor(rows[i]).toInt()
+
+    /** How many half samples fragment [i] is further right and down: 0 or 1. */
+    fun half(i: Int): Int = if (columns[i] == floor(columns[i])) 0 else 1
+
     /** Completes the [batch], for a tile whose first sample is ([x], [y]). */
     fun locate(x: Int, y: Int) {
         batch.size = size
         for (i in 0 until size) {
-            batch.x[i] = x + PrimitiveRuns.column(places[i])
-            batch.y[i] = y + PrimitiveRuns.row(places[i])
+            batch.x[i] = column(i, x)
+            batch.y[i] = row(i, y)
         }
     }
 
     /** Passes the fragments' packed colours [argb] to [sink], and removes all fragments. */
     fun takeOut(argb: IntArray, sink: FragmentSink) {
-        sink.store(places, argb, size)
+        sink.store(this, argb)
         size = 0
     }
 

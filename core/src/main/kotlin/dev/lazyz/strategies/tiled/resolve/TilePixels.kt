@@ -5,11 +5,10 @@ import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions.Coherence
-import dev.lazyz.ShadingRate
 import dev.lazyz.bytes
 import dev.lazyz.filter.LightSums
+import dev.lazyz.filter.LightSums.ALPHA
 import dev.lazyz.filter.LightSums.CHANNELS
-import dev.lazyz.filter.PixelSamples
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**
@@ -20,7 +19,7 @@ import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
  * primitive is shaded once a pixel. All other colours are added up in linear light, each as often as there are samples
  * that it stands for.
  *
- * @param side how many samples wide and high a pixel is; divides the sides of all tiles
+ * @param side how many samples wide and high a pixel is, a power of two that divides the sides of all tiles
  */
 internal class TilePixels(
     frame: Frame,
@@ -30,23 +29,14 @@ internal class TilePixels(
     private val counters: Counters.Builder,
     private val checkpoint: Checkpoint,
     private val side: Int,
-    private val rate: ShadingRate,
 ) : TileShading(frame, keys, layers, Coherence.DIRECT, kernel, counters, checkpoint, side) {
     private val samples = side * side
     private val stride = keys.stride
+    private val shift = Integer.numberOfTrailingZeros(side)
     private val pixelsOfRow = stride / side
 
-    /** The samples of a pixel, from its centre outward: their columns, rows, and places in the keys of the tile. */
-    private val columns: IntArray
-    private val rows: IntArray
-    private val offsets: IntArray
-
-    init {
-        val order = PixelSamples.fromCentre(side)
-        columns = IntArray(samples) { order[it] % side }
-        rows = IntArray(samples) { order[it] / side }
-        offsets = IntArray(samples) { rows[it] * stride + columns[it] }
-    }
+    /** The places of the samples of a pixel in the keys of the tile, from its first one. */
+    private val offsets = IntArray(samples) { it / side * stride + it % side }
 
     /** By column of the tile, the bits in which the keys of a row of pixels differ from those of its first samples. */
     private val differences = LongArray(stride)
@@ -67,7 +57,7 @@ internal class TilePixels(
     private val indices = IntArray(samples)
 
     override val bytes: Long
-        get() = super.bytes + 4 * offsets.bytes + differences.bytes + isMixed.size + sums.bytes + corners.bytes +
+        get() = super.bytes + 2 * offsets.bytes + differences.bytes + isMixed.size + sums.bytes + corners.bytes +
             mixed.bytes + weights.bytes
 
     override fun shadeRows() {
@@ -143,18 +133,18 @@ internal class TilePixels(
             band.depth[row].fill(frame.raster.backgroundDepth, toColumn + start, toColumn + end)
             return
         }
+        val isFlat = fragments.isFlat(index)
         for (x in start until end) {
-            band.depth[row][toColumn + x] = test.depthOf(nearest(side * (row * stride + x)))
+            val at = side * (row * stride + x)
+            band.depth[row][toColumn + x] = test.depthOf(if (isFlat) nearestCorner(at) else nearest(at))
         }
-        if (step(index) == side) {
-            val place = PrimitiveRuns.place(side * row + rows[0], side * start + columns[0])
-            fragments.add(index, place, end - start, side)
-            return
+        if (fragments.isOnce(index)) {
+            return fragments.addPixels(index, PrimitiveRuns.place(side * row, side * start), end - start)
         }
         for (x in start until end) begin(x, row)
         for (y in side * row until side * (row + 1)) {
             weights.fill(1, y * stride + side * start, y * stride + side * end)
-            fragments.add(index, PrimitiveRuns.place(y, side * start), side * (end - start), 1)
+            fragments.add(index, PrimitiveRuns.place(y, side * start), side * (end - start))
         }
         for (x in start until end) weights[side * (row * stride + x)] = 1 or CORNER
     }
@@ -169,27 +159,30 @@ internal class TilePixels(
         for (i in 0 until samples) {
             val index = indices[i]
             if (index == TAKEN) continue
-            val isWhole = index == DepthTest.BACKGROUND || step(index) == side
+            val isWhole = index == DepthTest.BACKGROUND || fragments.isOnce(index)
             var count = 0
             for (j in i until samples) {
                 if (indices[j] != index) continue
                 indices[j] = TAKEN
                 count++
-                if (!isWhole) add(index, at, x, row, j, if (offsets[j] == 0) 1 or CORNER else 1, 1)
+                if (!isWhole) add(index, x, row, j, if (j == 0) 1 or CORNER else 1)
             }
             val weight = if (index == corner) count or CORNER else count
             if (index == DepthTest.BACKGROUND) {
                 add(pixel, background, weight)
             } else if (isWhole) {
-                add(index, at, x, row, i, weight, side)
+                add(index, x, row, i, weight)
             }
         }
     }
 
     /** Adds a fragment of the primitive [index] at a [sample] of a mixed pixel. */
-    private fun add(index: Int, at: Int, x: Int, row: Int, sample: Int, weight: Int, step: Int) {
-        weights[at + offsets[sample]] = weight
-        fragments.add(index, PrimitiveRuns.place(side * row + rows[sample], side * x + columns[sample]), 1, step)
+    private fun add(index: Int, x: Int, row: Int, sample: Int, weight: Int) {
+        val y = side * row + sample / side
+        val column = side * x + sample % side
+        weights[y * stride + column] = weight
+        val place = PrimitiveRuns.place(y, column)
+        if (fragments.isOnce(index)) fragments.addPart(index, place, 1) else fragments.add(index, place, 1)
     }
 
     /** Fills in pixel [x] of a row of pixels, in which translucent fragments are visible: each sample is shaded. */
@@ -212,9 +205,6 @@ internal class TilePixels(
         keepNearest(x, row, nearest)
     }
 
-    /** How far the samples of the primitive [index] that are shaded are apart: by a sample, or by a pixel. */
-    private fun step(index: Int): Int = if (rate == ShadingRate.PIXEL) side else 1
-
     /** Begins the sums of pixel [x], and returns the number of the pixel. */
     private fun begin(x: Int, row: Int): Int {
         val pixel = row * pixelsOfRow + x
@@ -227,6 +217,13 @@ internal class TilePixels(
     private fun keepNearest(x: Int, row: Int, key: Long) {
         band.depth[row][toColumn + x] = test.depthOf(key)
         band.primitive[row][toColumn + x] = test.indexOf(key)
+    }
+
+    /** Returns the nearest key of a pixel of one flat primitive: it is at a corner, because depth is linear. */
+    private fun nearestCorner(at: Int): Long {
+        val all = keys.keys
+        val below = at + (side - 1) * stride
+        return minOf(minOf(all[at], all[at + side - 1]), minOf(all[below], all[below + side - 1]))
     }
 
     /** Returns the nearest key of the pixel whose first key is at [at]. */
@@ -244,23 +241,55 @@ internal class TilePixels(
 
     /** Takes the [color] of the fragment at a place. */
     private fun take(place: Int, color: Int) {
-        val row = PrimitiveRuns.row(place)
-        val column = PrimitiveRuns.column(place)
-        val pixel = row / side * pixelsOfRow + column / side
+        val pixel = pixel(place)
         if (isMixed[pixel]) {
-            add(pixel, color, weights[row * stride + column])
+            add(pixel, color, weight(place))
         } else {
-            band.argb[row / side][toColumn + column / side] = color
+            band.argb[PrimitiveRuns.row(place) shr shift][toColumn + (PrimitiveRuns.column(place) shr shift)] = color
         }
     }
 
-    override fun store(places: IntArray, argb: IntArray, count: Int) {
-        for (i in 0 until count) take(places[i], argb[i])
+    override fun store(fragments: WaitingFragments, argb: IntArray) {
+        val places = fragments.places
+        var i = 0
+        while (i < fragments.size) {
+            val pixel = pixel(places[i])
+            if (!isMixed[pixel]) {
+                take(places[i], argb[i++])
+                continue
+            }
+
+            // Add up what follows in the same pixel
+            var red = 0L
+            var green = 0L
+            var blue = 0L
+            var alpha = 0L
+            do {
+                val weight = weight(places[i])
+                if (weight and CORNER != 0) corners[pixel] = argb[i]
+                LightSums.of(argb[i++], (weight and CORNER.inv()).toLong()) { r, g, b, a ->
+                    red += r
+                    green += g
+                    blue += b
+                    alpha += a
+                }
+            } while (i < fragments.size && pixel(places[i]) == pixel)
+            val at = CHANNELS * pixel
+            sums[at] += red
+            sums[at + 1] += green
+            sums[at + 2] += blue
+            sums[at + ALPHA] += alpha
+        }
     }
 
-    override fun fill(start: Int, length: Int, step: Int, argb: Int) {
-        for (i in 0 until length) take(start + step * i, argb)
+    override fun fill(start: Int, length: Int, argb: Int) {
+        for (i in 0 until length) take(start + i, argb)
     }
+
+    private fun pixel(place: Int): Int =
+        (PrimitiveRuns.row(place) shr shift) * pixelsOfRow + (PrimitiveRuns.column(place) shr shift)
+
+    private fun weight(place: Int): Int = weights[PrimitiveRuns.row(place) * stride + PrimitiveRuns.column(place)]
 
     override fun finish() {
         for (i in 0 until mixedCount) {

@@ -52,8 +52,12 @@ internal class TileSamples(
     private fun shadeRun(index: Int, row: Int, from: Int, until: Int) {
         if (index == DepthTest.BACKGROUND) {
             band.argb[row].fill(background, toColumn + from, toColumn + until)
+        } else if (fragments.isOnce(index)) {
+            fragments.forEachPart(from, until) { start, end ->
+                fragments.addPart(index, PrimitiveRuns.place(row, start), end - start)
+            }
         } else {
-            fragments.add(index, PrimitiveRuns.place(row, from), until - from, 1)
+            fragments.add(index, PrimitiveRuns.place(row, from), until - from)
         }
     }
 
@@ -73,14 +77,19 @@ internal class TileSamples(
         }
     }
 
-    override fun store(places: IntArray, argb: IntArray, count: Int) {
-        for (i in 0 until count) {
-            val place = places[i]
-            band.argb[PrimitiveRuns.row(place)][toColumn + PrimitiveRuns.column(place)] = argb[i]
+    override fun store(fragments: WaitingFragments, argb: IntArray) {
+        for (i in 0 until fragments.size) {
+            val place = fragments.places[i]
+            val length = fragments.lengths[i]
+            if (length == 1) {
+                band.argb[PrimitiveRuns.row(place)][toColumn + PrimitiveRuns.column(place)] = argb[i]
+            } else {
+                fill(place, length, argb[i])
+            }
         }
     }
 
-    override fun fill(start: Int, length: Int, step: Int, argb: Int) {
+    override fun fill(start: Int, length: Int, argb: Int) {
         val column = toColumn + PrimitiveRuns.column(start)
         band.argb[PrimitiveRuns.row(start)].fill(argb, column, column + length)
     }
