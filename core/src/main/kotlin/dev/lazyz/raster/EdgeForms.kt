@@ -45,15 +45,24 @@ internal open class EdgeForms {
     private fun edge(fromX: Int, fromY: Int, toX: Int, toY: Int): Long =
         Edge.function(fromX, fromY, toX, toY, ScreenGrid.CENTER, ScreenGrid.CENTER)
 
-    /** Returns the first function at a sample, or [half] samples right of it and below; half steps are exact. */
-    fun at0(x: Int, y: Int, half: Int = 0): Long = at(e0, e0dx, e0dy, x, y, half)
+    /** Returns the first function at a sample. */
+    fun at0(x: Int, y: Int): Long = e0 + e0dx * x + e0dy * y
 
     /** As [at0], for the second function. */
-    fun at1(x: Int, y: Int, half: Int = 0): Long = at(e1, e1dx, e1dy, x, y, half)
+    fun at1(x: Int, y: Int): Long = e1 + e1dx * x + e1dy * y
 
     /** As [at0], for the third function. */
-    fun at2(x: Int, y: Int, half: Int = 0): Long = at(e2, e2dx, e2dy, x, y, half)
+    fun at2(x: Int, y: Int): Long = e2 + e2dx * x + e2dy * y
 
-    private fun at(e: Long, dx: Long, dy: Long, x: Int, y: Int, half: Int): Long =
-        e + dx * x + dy * y + half * ((dx + dy) shr 1)
+    /**
+     * Returns the first function at a point that is [x] grid units right of sample (0, 0), and [y] below it. It is
+     * exact, because a step from sample to sample is a multiple of [ScreenGrid.STEPS].
+     */
+    fun atGrid0(x: Int, y: Int): Long = e0 + (e0dx shr ScreenGrid.SHIFT) * x + (e0dy shr ScreenGrid.SHIFT) * y
+
+    /** As [atGrid0], for the second function. */
+    fun atGrid1(x: Int, y: Int): Long = e1 + (e1dx shr ScreenGrid.SHIFT) * x + (e1dy shr ScreenGrid.SHIFT) * y
+
+    /** As [atGrid0], for the third function. */
+    fun atGrid2(x: Int, y: Int): Long = e2 + (e2dx shr ScreenGrid.SHIFT) * x + (e2dy shr ScreenGrid.SHIFT) * y
 }

@@ -5,6 +5,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.raster.EdgeForms
 import dev.lazyz.raster.EdgeTable
 import dev.lazyz.raster.ReferenceTriangle
+import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.raster.TrapezoidCursor
 import dev.lazyz.shading.AttributedPrimitive
 import dev.lazyz.shading.Vertices
@@ -73,13 +74,12 @@ internal class PlanarPrimitive(
 
     override fun geometry(fragment: Fragment): Unit = mixAt(fragment, GEOMETRY)
 
-    /** Sets the attributes [fields] to those at the sample of [fragment], or half a sample further. */
+    /** Sets the attributes [fields] to those at the sample of [fragment], or as far from it as the fragment says. */
     private fun mixAt(fragment: Fragment, fields: Int) {
         val forms = edgeForms()
-        val x = fragment.x
-        val y = fragment.y
-        val half = fragment.halfSteps
-        mix(fragment, fields, forms.at0(x, y, half), forms.at1(x, y, half), forms.at2(x, y, half))
+        val x = ScreenGrid.STEPS * fragment.x + fragment.gridRight
+        val y = ScreenGrid.STEPS * fragment.y + fragment.gridDown
+        mix(fragment, fields, forms.atGrid0(x, y), forms.atGrid1(x, y), forms.atGrid2(x, y))
     }
 
     /** Returns where this triangle is shaded in the pixel of a sample that it covers, see [ShadingPoints.find]. */

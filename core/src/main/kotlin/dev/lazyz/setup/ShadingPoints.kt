@@ -7,6 +7,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.PrimitiveShading
 import dev.lazyz.ShadingRate
 import dev.lazyz.raster.EdgeForms
+import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.MaterialShader
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Shader
@@ -15,41 +16,16 @@ import dev.lazyz.spi.Spans
 
 /**
  * Where a primitive is shaded that has one colour in each pixel of [side] x [side] samples (contract rule 6.13): at the
- * pixel's centre if that is in the primitive, otherwise at the first sample in it, from the centre outward. It depends
- * on nothing but the primitive, so that the order of evaluation does not matter. Immutable.
+ * mean of the pixel's samples that are in it, if it is a triangle, otherwise at the sample in it that is nearest to
+ * their mean. It depends on nothing but the primitive, so that the order of evaluation does not matter. Immutable.
+ *
+ * A point is given as its distance from the first sample of its pixel, in grid units, see [right] and [down].
  *
  * @property side how many samples wide and high a pixel is, at least 2
  */
 internal class ShadingPoints(val side: Int, private val rate: ShadingRate) : PrimitiveShading {
-    /** The samples of a pixel from its centre outward: their columns and rows in the pixel. */
-    private val columns: IntArray
-    private val rows: IntArray
-
-    /** The number of each sample in that order, by row and column. */
-    private val numbers = IntArray(side * side)
-
-    /** How many half samples the centre is right of sample number 0, and below it. */
-    private val half: Int = 1 - side % 2
-
-    init {
-        fun square(position: Int): Int = (2 * position + 1 - side) * (2 * position + 1 - side)
-        val order = (0 until side * side).sortedBy { square(it / side) + square(it % side) }
-        columns = IntArray(order.size) { order[it] % side }
-        rows = IntArray(order.size) { order[it] / side }
-        for (number in order.indices) numbers[order[number]] = number
-    }
-
-    /** Returns the column of sample [number] in the pixel of column [x]; for [CENTRE], that of the sample before it. */
-    fun column(number: Int, x: Int): Int = x - Math.floorMod(x, side) + columns[maxOf(number, 0)]
-
-    /** As [column], for the row [y]. */
-    fun row(number: Int, y: Int): Int = y - Math.floorMod(y, side) + rows[maxOf(number, 0)]
-
-    /** How many half samples a point is right of that column and below that row, see [Fragment.halfSteps]. */
-    fun half(number: Int): Int = if (number == CENTRE) half else 0
-
-    /** Returns the number of the sample at column [x] and row [y] of the raster. */
-    fun number(x: Int, y: Int): Int = numbers[Math.floorMod(y, side) * side + Math.floorMod(x, side)]
+    /** The centre of a pixel: the point of a primitive that has all samples of it. */
+    val centre: Int = point((side - 1) * ScreenGrid.CENTER, (side - 1) * ScreenGrid.CENTER)
 
     /** Whether a primitive with the [shader] has one colour in each pixel, if it is a triangle. */
     fun isOnce(shader: Shader): Boolean =
@@ -61,25 +37,66 @@ internal class ShadingPoints(val side: Int, private val rate: ShadingRate) : Pri
         return if (isOnce) PixelShadedPrimitive(primitive, this) else primitive
     }
 
+    /** Returns the first column of the pixel of column [x] or, with a row, the first row. */
+    fun first(x: Int): Int = x - Math.floorMod(x, side)
+
     /**
-     * Returns the number of the sample at which a triangle with these edge functions is shaded in the pixel of sample
-     * ([x], [y]), which it covers; or [CENTRE].
+     * Returns the point at which a triangle with these edge functions is shaded in the pixel of sample ([x], [y]), which
+     * it covers. A sample is in the triangle if no edge function is negative.
      */
-    fun find(forms: EdgeForms, x: Int, y: Int): Int = find(x, y) { column, row, half ->
-        forms.at0(column, row, half) or forms.at1(column, row, half) or forms.at2(column, row, half) >= 0
+    fun find(edges: EdgeForms, x: Int, y: Int): Int {
+        val left = first(x)
+        val top = first(y)
+        var first0 = edges.at0(left, top)
+        var first1 = edges.at1(left, top)
+        var first2 = edges.at2(left, top)
+        var count = 0
+        var columns = 0
+        var rows = 0
+        for (row in 0 until side) {
+            var v0 = first0
+            var v1 = first1
+            var v2 = first2
+            for (column in 0 until side) {
+                // Without a branch, which could not be predicted
+                val inside = 1 - ((v0 or v1 or v2) ushr Long.SIZE_BITS - 1).toInt()
+                count += inside
+                columns += inside * column
+                rows += inside * row
+                v0 += edges.e0dx
+                v1 += edges.e1dx
+                v2 += edges.e2dx
+            }
+            first0 += edges.e0dy
+            first1 += edges.e1dy
+            first2 += edges.e2dy
+        }
+        return point(mean(columns, count), mean(rows, count))
     }
 
-    /** As the other [find], for any primitive: [isInside] tells whether a sample, or half a sample further, is in it. */
-    inline fun find(x: Int, y: Int, isInside: (column: Int, row: Int, half: Int) -> Boolean): Int {
-        if (isInside(column(CENTRE, x), row(CENTRE, y), half(CENTRE))) return CENTRE
-        val known = number(x, y)
-        for (number in 0 until known) if (isInside(column(number, x), row(number, y), 0)) return number
-        return known
+    /** As the other [find], for a primitive that has the samples of the pixel that are [inside], row by row. */
+    fun find(inside: BooleanArray): Int {
+        val all = inside.indices.filter { inside[it] }
+        val column = mean(all.sumOf { it % side }, all.size)
+        val row = mean(all.sumOf { it / side }, all.size)
+        fun square(sample: Int, grid: Int): Int = (ScreenGrid.STEPS * sample - grid).let { it * it }
+        val nearest = all.minBy { square(it % side, column) + square(it / side, row) }
+        return point(ScreenGrid.STEPS * (nearest % side), ScreenGrid.STEPS * (nearest / side))
     }
+
+    /** The mean of [count] columns or rows with this [sum], in grid units. */
+    private fun mean(sum: Int, count: Int): Int = (ScreenGrid.STEPS * sum + count / 2) / count
 
     companion object {
-        /** Instead of the number of a sample: the centre of the pixel. */
-        const val CENTRE: Int = -1
+        private const val ROW_SHIFT = 16
+
+        private fun point(right: Int, down: Int): Int = down shl ROW_SHIFT or right
+
+        /** How far a point is right of the first sample of its pixel, in grid units. */
+        fun right(point: Int): Int = point and (1 shl ROW_SHIFT) - 1
+
+        /** How far a point is below the first sample of its pixel, in grid units. */
+        fun down(point: Int): Int = point ushr ROW_SHIFT
     }
 }
 
@@ -91,25 +108,33 @@ internal class PixelShadedPrimitive(val whole: Primitive, private val points: Sh
     override val shadingStartCost: Int get() = 0
 
     override fun shade(fragment: Fragment) {
-        val x = fragment.x
-        val y = fragment.y
-        val number = if (triangle != null) triangle.shadingPoint(points, x, y) else firstSample(x, y)
-        fragment.moveTo(points.column(number, x), points.row(number, y))
+        val left = points.first(fragment.x)
+        val top = points.first(fragment.y)
+        val point = triangle?.shadingPoint(points, left, top) ?: points.find(covered(left, top))
+        val right = ShadingPoints.right(point)
+        val down = ShadingPoints.down(point)
+        fragment.moveTo(left + right / ScreenGrid.STEPS, top + down / ScreenGrid.STEPS)
         fragment.footprintSide = points.side
-        fragment.halfSteps = points.half(number)
+        fragment.gridRight = right % ScreenGrid.STEPS
+        fragment.gridDown = down % ScreenGrid.STEPS
         whole.shade(fragment)
         fragment.footprintSide = 1
-        fragment.halfSteps = 0
+        fragment.gridRight = 0
+        fragment.gridDown = 0
     }
 
-    /** Only the samples that a primitive covers are known to be in it. */
-    private fun firstSample(x: Int, y: Int): Int {
-        val spans = Spans()
-        return points.find(x, y) { column, row, half ->
-            spans.clear()
-            if (row in rowStart until rowEnd) whole.spans(row, spans)
-            half == 0 && (0 until spans.count).any { column >= spans.start(it) && column < spans.end(it) }
+    /** Returns which samples of the pixel whose first sample is ([left], [top]) are covered, row by row. */
+    private fun covered(left: Int, top: Int): BooleanArray {
+        val side = points.side
+        val covered = BooleanArray(side * side)
+        for (row in maxOf(rowStart, top) until minOf(rowEnd, top + side)) {
+            val spans = Spans(left, left + side)
+            whole.spans(row, spans)
+            for (i in 0 until spans.count) {
+                covered.fill(true, (row - top) * side + spans.start(i) - left, (row - top) * side + spans.end(i) - left)
+            }
         }
+        return covered
     }
 
     override fun geometry(fragment: Fragment): Unit = whole.geometry(fragment)

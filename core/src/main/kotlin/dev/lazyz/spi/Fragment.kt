@@ -149,8 +149,11 @@ public class Fragment {
     /** How many samples wide and high a step of the derivatives is: 1, or a pixel (contract rule 6.12). */
     internal var footprintSide: Int = 1
 
-    /** By how many half samples the place of the attributes is right of the sample and below it (contract rule 6.13). */
-    internal var halfSteps: Int = 0
+    /** How far the place of the attributes is right of the sample, in grid units of 1/256 (contract rule 6.13). */
+    internal var gridRight: Int = 0
+
+    /** How far it is below the sample, see [gridRight]. */
+    internal var gridDown: Int = 0
 
     /**
      * Scratch array for the result of a texture lookup (red, green, blue, alpha), so that shading does not allocate.

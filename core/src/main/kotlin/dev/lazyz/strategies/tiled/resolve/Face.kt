@@ -149,23 +149,23 @@ internal class Face : EdgeForms() {
     }
 
     /**
-     * Fills in the attributes of one sample, at index [i] of [batch].
+     * Fills in the attributes of one fragment, at index [i] of [batch], at a point that is [x] grid units right of sample
+     * (0, 0) and [y] below it.
      *
-     * @param half by how many half samples they are further right and down, see [Fragment.halfSteps]
      * @param side see [Fragment.footprintSide]
      */
-    fun attributes(batch: FragmentBatch, i: Int, x: Int, y: Int, half: Int, side: Int) {
-        val at0 = at0(x, y, half).toDouble()
-        val at1 = at1(x, y, half).toDouble()
-        val at2 = at2(x, y, half).toDouble()
+    fun attributes(batch: FragmentBatch, i: Int, x: Int, y: Int, side: Int) {
+        val at0 = atGrid0(x, y).toDouble()
+        val at1 = atGrid1(x, y).toDouble()
+        val at2 = atGrid2(x, y).toDouble()
         PerspectiveWeights.of(at0, at1, at2, over0, over1, over2, least) { w0, w1, w2, _ -> mix(batch, i, w0, w1, w2) }
-        if (fields and Attributes.FOOTPRINT != 0) footprint(batch, i, x, y, half, side)
+        if (fields and Attributes.FOOTPRINT != 0) footprint(batch, i, x, y, side)
     }
 
-    /** Fills in the derivatives of the texture coordinates of one sample, see [attributes]. */
-    fun footprint(batch: FragmentBatch, i: Int, x: Int, y: Int, half: Int, side: Int) {
+    /** Fills in the derivatives of the texture coordinates of one fragment, see [attributes]. */
+    fun footprint(batch: FragmentBatch, i: Int, x: Int, y: Int, side: Int) {
         TextureFootprint.of(
-            at0(x, y, half).toDouble(), at1(x, y, half).toDouble(), at2(x, y, half).toDouble(),
+            atGrid0(x, y).toDouble(), atGrid1(x, y).toDouble(), atGrid2(x, y).toDouble(),
             e0dx, e1dx, e2dx, e0dy, e1dy, e2dy, over0, over1, over2, least, side,
         ) { w0, w1, w2, right0, right1, right2, down0, down1, down2 ->
             if (fields and Attributes.UV != 0) {

@@ -33,7 +33,7 @@ internal abstract class FragmentKernel(private val long: Int) {
         if (fields == 0) return
         if (count < long || !face.isExact) {
             for (i in at until at + count) {
-                face.attributes(batch, i, fragments.column(i, x), fragments.row(i, y), fragments.half(i), side)
+                face.attributes(batch, i, fragments.gridX(i, x), fragments.gridY(i, y), side)
             }
             return
         }
@@ -70,7 +70,7 @@ internal abstract class FragmentKernel(private val long: Int) {
         }
         if (fields and Attributes.FOOTPRINT != 0) {
             for (i in at until at + count) {
-                face.footprint(batch, i, fragments.column(i, x), fragments.row(i, y), fragments.half(i), side)
+                face.footprint(batch, i, fragments.gridX(i, x), fragments.gridY(i, y), side)
             }
         }
     }

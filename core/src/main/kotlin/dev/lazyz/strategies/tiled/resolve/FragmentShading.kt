@@ -8,6 +8,7 @@ import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.bytes
 import dev.lazyz.raster.EdgeForms
+import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.ShadingPoints
 import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.LateShading
@@ -243,22 +244,21 @@ internal class FragmentShading(
 
     /** Adds fragments at the centres of [count] pixels, see [addPixels]. */
     private fun gatherPixels(fragments: WaitingFragments, start: Int, count: Int) {
-        val side = points!!.side
-        val column = PrimitiveRuns.column(start) + 0.5 * (side - 1)
-        val row = PrimitiveRuns.row(start) + 0.5 * (side - 1)
-        for (i in 0 until count) fragments.add(start + side * i, 1, column + side * i, row)
+        val points = points!!
+        val left = PrimitiveRuns.column(start)
+        val top = PrimitiveRuns.row(start)
+        for (i in 0 until count) {
+            fragments.add(start + points.side * i, 1, left + points.side * i, top, points.centre)
+        }
     }
 
     /** Adds a fragment at the shading point of a triangle with these edges in the pixel of a sample, see [addPart]. */
     private fun gatherPart(fragments: WaitingFragments, start: Int, length: Int, edges: EdgeForms) {
-        val points = points!!
         val x = keys.columnStart + PrimitiveRuns.column(start)
         val y = keys.rowStart + PrimitiveRuns.row(start)
-        val number = points.find(edges, x, y)
-        val column = points.column(number, x) - keys.columnStart
-        val row = points.row(number, y) - keys.rowStart
-        val half = 0.5 * points.half(number)
-        fragments.add(start, length, column + half, row + half)
+        val left = points!!.first(x) - keys.columnStart
+        val top = points.first(y) - keys.rowStart
+        fragments.add(start, length, left, top, points.find(edges, x, y))
     }
 
     /**
@@ -308,7 +308,9 @@ internal class FragmentShading(
         if (waitingSmall.size == 0) return
         val setUp = faces.setUp(smallBatch)
         waitingSmall.locate(keys.columnStart, keys.rowStart)
-        scattered.fill(waitingSmall, content.triangleBatch(smallBatch), smallTriangles, setUp)
+        scattered.fill(
+            waitingSmall, keys.columnStart, keys.rowStart, content.triangleBatch(smallBatch), smallTriangles, setUp,
+        )
         shade(waitingSmall, setUp.shader)
     }
 
@@ -357,16 +359,15 @@ internal class FragmentShading(
 
     /** Sets the attributes of [alone] to those of a sample, or of the shading point in its pixel. */
     private fun attributes(face: Face, x: Int, y: Int, isOnce: Boolean) {
-        if (!isOnce) {
-            alone.place(0, x, y, 1)
-            return face.attributes(alone, 0, x, y, half = 0, side = 1)
+        var gridX = ScreenGrid.STEPS * x
+        var gridY = ScreenGrid.STEPS * y
+        if (isOnce) {
+            val point = points!!.find(face, x, y)
+            gridX = ScreenGrid.STEPS * points.first(x) + ShadingPoints.right(point)
+            gridY = ScreenGrid.STEPS * points.first(y) + ShadingPoints.down(point)
         }
-        val points = points!!
-        val number = points.find(face, x, y)
-        val column = points.column(number, x)
-        val row = points.row(number, y)
-        alone.place(0, column, row, 1)
-        face.attributes(alone, 0, column, row, points.half(number), points.side)
+        alone.place(0, gridX shr ScreenGrid.SHIFT, gridY shr ScreenGrid.SHIFT, 1)
+        face.attributes(alone, 0, gridX, gridY, if (isOnce) points!!.side else 1)
     }
 
     private companion object {

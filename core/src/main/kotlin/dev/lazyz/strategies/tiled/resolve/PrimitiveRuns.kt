@@ -1,8 +1,9 @@
 package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.bytes
+import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.setup.ShadingPoints
 import dev.lazyz.spi.FragmentBatch
-import kotlin.math.floor
 
 /**
  * The runs of a tile's visible samples, grouped by primitive. A run consists of adjacent samples on a row that show the
@@ -160,7 +161,7 @@ internal class WaitingFragments {
     val places: IntArray = IntArray(FragmentBatch.CAPACITY)
     val lengths: IntArray = IntArray(FragmentBatch.CAPACITY)
 
-    /** Where they are shaded: columns and rows within the tile, as doubles for arithmetic. Also half of a sample. */
+    /** Where they are shaded: columns and rows within the tile, multiples of a grid unit, as doubles for arithmetic. */
     val columns: DoubleArray = DoubleArray(FragmentBatch.ROOM)
     val rows: DoubleArray = DoubleArray(FragmentBatch.ROOM)
 
@@ -194,29 +195,29 @@ internal class WaitingFragments {
         size += length
     }
 
-    /** Adds a fragment for [length] samples from place [start] on, which is shaded at this [column] and [row]. */
-    fun add(start: Int, length: Int, column: Double, row: Double) {
+    /**
+     * Adds a fragment for [length] samples from place [start] on. It is shaded at a [point], see [ShadingPoints], of the
+     * pixel whose first sample is at column [left] and row [top] of the tile.
+     */
+    fun add(start: Int, length: Int, left: Int, top: Int, point: Int) {
         places[size] = start
         lengths[size] = length
-        columns[size] = column
-        rows[size++] = row
+        columns[size] = left + ShadingPoints.right(point) * GRID
+        rows[size++] = top + ShadingPoints.down(point) * GRID
     }
 
-    /** The column of the raster of fragment [i], if the tile starts at [x]. */
-    fun column(i: Int, x: Int): Int = x + floor(columns[i]).toInt()
+    /** How far fragment [i] is right of column 0 of the raster, in grid units, if the tile starts at column [x]. */
+    fun gridX(i: Int, x: Int): Int = ScreenGrid.STEPS * x + (ScreenGrid.STEPS * columns[i]).toInt()
 
-    /** The row of the raster of fragment [i], if the tile starts at [y]. */
-    fun row(i: Int, y: Int): Int = y + floor(rows[i]).toInt()
-
-    /** How many half samples fragment [i] is further right and down: 0 or 1. */
-    fun half(i: Int): Int = if (columns[i] == floor(columns[i])) 0 else 1
+    /** How far fragment [i] is below row 0 of the raster, in grid units, if the tile starts at row [y]. */
+    fun gridY(i: Int, y: Int): Int = ScreenGrid.STEPS * y + (ScreenGrid.STEPS * rows[i]).toInt()
 
     /** Completes the [batch], for a tile whose first sample is ([x], [y]). */
     fun locate(x: Int, y: Int) {
         batch.size = size
         for (i in 0 until size) {
-            batch.x[i] = column(i, x)
-            batch.y[i] = row(i, y)
+            batch.x[i] = gridX(i, x) shr ScreenGrid.SHIFT
+            batch.y[i] = gridY(i, y) shr ScreenGrid.SHIFT
         }
     }
 
@@ -227,6 +228,9 @@ internal class WaitingFragments {
     }
 
     private companion object {
+        /** A grid unit. */
+        const val GRID = 1.0 / ScreenGrid.STEPS
+
         /** Fewest samples for which filling by whole arrays is worthwhile. */
         const val LONG = 12
 

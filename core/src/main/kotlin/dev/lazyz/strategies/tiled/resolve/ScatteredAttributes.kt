@@ -34,17 +34,22 @@ internal class ScatteredAttributes {
     val bytes: Long get() = FragmentBatch.CAPACITY * (4L * Double.SIZE_BYTES + 3L * Int.SIZE_BYTES)
 
     /**
-     * Fills in the attributes of all [fragments]. These belong to the triangles [numbers] of [triangles]. Requires
-     * [FaceStage.isShared], and no [Attributes.FOOTPRINT].
+     * Fills in the attributes of all [fragments], in a tile whose first sample is ([x], [y]). They belong to the
+     * triangles [numbers] of [triangles]. Requires [FaceStage.isShared], and no [Attributes.FOOTPRINT].
      */
-    fun fill(fragments: WaitingFragments, triangles: TriangleBatch, numbers: IntArray, faces: FaceStage) {
+    fun fill(
+        fragments: WaitingFragments,
+        x: Int,
+        y: Int,
+        triangles: TriangleBatch,
+        numbers: IntArray,
+        faces: FaceStage,
+    ) {
         val fields = faces.fields
         if (fields == 0) return
         val batch = fragments.batch
         val count = batch.size
-        for (i in 0 until count) {
-            weigh(triangles, numbers[i], batch.x[i], batch.y[i], fragments.half(i), i)
-        }
+        for (i in 0 until count) weigh(triangles, numbers[i], fragments.gridX(i, x), fragments.gridY(i, y), i)
         normalize(count)
         val mesh = triangles.mesh
         signs.fill(1.0, 0, count)
@@ -82,15 +87,15 @@ internal class ScatteredAttributes {
         }
     }
 
-    /** Sets weights number [i] to the edge functions of [triangle] at a sample, each divided by its vertex's w. */
-    private fun weigh(triangles: TriangleBatch, triangle: Int, x: Int, y: Int, half: Int, i: Int) {
+    /** Sets weights number [i] to the edge functions of [triangle] at a point, each divided by its vertex's w. */
+    private fun weigh(triangles: TriangleBatch, triangle: Int, gridX: Int, gridY: Int, i: Int) {
         val corners = triangles.corners
         val grid = triangles.grid
         val a = corners[3 * triangle]
         val b = corners[3 * triangle + 1]
         val c = corners[3 * triangle + 2]
-        val right = x * ScreenGrid.STEPS + (1 + half) * ScreenGrid.CENTER
-        val down = y * ScreenGrid.STEPS + (1 + half) * ScreenGrid.CENTER
+        val right = gridX + ScreenGrid.CENTER
+        val down = gridY + ScreenGrid.CENTER
 
         // The edge functions, relative to the sample. With Edge.function, S2 takes 8 percent more processor time
         val ax = (grid[TriangleBatch.STRIDE * a] - right).toLong()
