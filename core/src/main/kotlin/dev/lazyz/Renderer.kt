@@ -74,7 +74,7 @@ public enum class ShadingRate {
 
     /**
      * A primitive has one colour in each pixel, that of the mean of the pixel's samples that are in it (contract rule
-     * 6.13). The edges of primitives are as smooth as with [SAMPLE]; highlights are not. Textures with a `MipFilter` are
+     * 6.12). The edges of primitives are as smooth as with [SAMPLE]; highlights are not. Textures with a `MipFilter` are
      * read with the footprint of a pixel, as with one sample a pixel. For expensive shaders.
      */
     PIXEL,

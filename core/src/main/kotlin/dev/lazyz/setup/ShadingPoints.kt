@@ -15,7 +15,7 @@ import dev.lazyz.spi.ShadingCursor
 import dev.lazyz.spi.Spans
 
 /**
- * Where a primitive is shaded that has one colour in each pixel of [side] x [side] samples (contract rule 6.13): at the
+ * Where a primitive is shaded that has one colour in each pixel of [side] x [side] samples (contract rule 6.12): at the
  * mean of the pixel's samples that are in it, if it is a triangle, otherwise at the sample in it that is nearest to
  * their mean. It depends on nothing but the primitive, so that the order of evaluation does not matter. Immutable.
  *
@@ -90,7 +90,8 @@ internal class ShadingPoints(val side: Int, private val rate: ShadingRate) : Pri
     companion object {
         private const val ROW_SHIFT = 16
 
-        private fun point(right: Int, down: Int): Int = down shl ROW_SHIFT or right
+        /** Returns the point that is so far from the first sample of its pixel, in grid units. */
+        fun point(right: Int, down: Int): Int = down shl ROW_SHIFT or right
 
         /** How far a point is right of the first sample of its pixel, in grid units. */
         fun right(point: Int): Int = point and (1 shl ROW_SHIFT) - 1

@@ -51,7 +51,7 @@ internal class MaterialShader(
 
     /**
      * Whether colours change little within a pixel: there are no maps, and no highlights that may be narrower than a
-     * pixel (contract rule 6.13).
+     * pixel (contract rule 6.12).
      */
     val isSmooth: Boolean = !hasMaps && emissionMap == null && (!isLit || hasWideHighlights())
 

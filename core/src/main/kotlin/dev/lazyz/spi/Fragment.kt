@@ -149,7 +149,7 @@ public class Fragment {
     /** How many samples wide and high a step of the derivatives is: 1, or a pixel (contract rule 6.12). */
     internal var footprintSide: Int = 1
 
-    /** How far the place of the attributes is right of the sample, in grid units of 1/256 (contract rule 6.13). */
+    /** How far the place of the attributes is right of the sample, in grid units of 1/256 (contract rule 6.12). */
     internal var gridRight: Int = 0
 
     /** How far it is below the sample, see [gridRight]. */

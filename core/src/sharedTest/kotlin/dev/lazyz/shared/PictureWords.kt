@@ -20,7 +20,7 @@ object PictureWords {
         "region" to listOf("0,0,1x1", "3,4,20x15", "0,0,0x1"),
         "aa" to listOf("1", "8", "3"),
         "aa-filter" to listOf("box", "mitchell", "none"),
-        "shading-rate" to listOf("sample", "pixel", "row"),
+        "shading-rate" to listOf("sample", "pixel", "auto", "row"),
         "background" to listOf("transparent", "skyblue,f80", "red,8888"),
         "color" to listOf("tomato", "ff008880", "tomatoe"),
         "texture" to listOf("picture.png", "picture.png", "-"),

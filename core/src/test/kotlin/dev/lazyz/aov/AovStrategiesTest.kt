@@ -1,6 +1,7 @@
 package dev.lazyz.aov
 
 import dev.lazyz.Capability
+import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
@@ -121,7 +122,9 @@ class AovStrategiesTest {
                 val aovs = AovFrame(frame, Aov.entries.toSet()).render(single, collector)
                 val usual = frame.render(single)
                 assertEquals(usual, collector.toImage(aovs.counters)) { "${renderer.id}, $frame" }
-                assertEquals(usual.counters, aovs.counters) { "${renderer.id}, $frame" }
+                // Without AOVs, 'tiled' makes no rows of samples
+                fun work(all: Counters) = if (renderer is TiledRenderer) listOf(all.fragments, all.depthPasses) else all
+                assertEquals(work(usual.counters), work(aovs.counters)) { "${renderer.id}, $frame" }
             }
         }
     }

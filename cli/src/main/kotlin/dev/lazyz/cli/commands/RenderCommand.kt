@@ -47,15 +47,17 @@ import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.cli.strategies.StrategyPath
-import dev.lazyz.ShadingRate
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.pictures.NamedValues
 import dev.lazyz.scenes.pictures.ParameterGroup
 import dev.lazyz.scenes.pictures.PictureParameters.AA
 import dev.lazyz.scenes.pictures.PictureParameters.FORMAT
 import dev.lazyz.scenes.pictures.PictureParameters.OPAQUE
+<<<<<<< HEAD
 import dev.lazyz.scenes.pictures.PictureParameters.SCALE
 import dev.lazyz.scenes.pictures.PictureParameters.SHADING_RATE
+=======
+>>>>>>> 61bcf6c0 (wip)
 import dev.lazyz.scenes.pictures.PictureParameters.SIZE
 import dev.lazyz.scenes.pictures.PictureParameters.VIEW
 import java.nio.file.Files
@@ -91,11 +93,17 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
 
     /** What the options choose. */
     private val settings by lazy {
+        // The colours of a count are names of numbers, which must not be mixed
         val usual = ParameterOptions.NONE
+<<<<<<< HEAD
         // Rates are about the nearest surface. The colours of a count are names of numbers, which must not be mixed
         val plain = if (rendering.isSelecting) usual.withDefault(SHADING_RATE, ShadingRate.SAMPLE) else usual
         val start = if (rendering.selector == Selector.count()) plain.withDefault(AA, 1) else plain
         listOf(reading, picture, light, camera, lines, paper).fold(start) { all, group -> group.addTo(all) }
+=======
+        val start = if (rendering.selector == Selector.count()) usual.withDefault(AA, 1) else usual
+        listOf(reading, picture, light, camera, lines).fold(start) { all, group -> group.addTo(all) }
+>>>>>>> 61bcf6c0 (wip)
     }
 
     override fun help(context: Context): String =
@@ -128,9 +136,6 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         if (output.stats != null) requireAttachedForm()
         if (settings[OPAQUE] == true && rendering.selector == Selector.blend()) {
             throw Mistake("--select blend has no effect with --opaque, which leaves nothing to blend: omit one of them")
-        }
-        if (rendering.isSelecting && settings[SHADING_RATE] == ShadingRate.PIXEL) {
-            throw Mistake("--shading-rate pixel cannot be combined with --select")
         }
         val spooling = streaming.spoolOption
         if (spooling != null && streaming.request == null && memory.bytes == null) {

@@ -74,7 +74,7 @@ class StreamTest {
             "--edges" to "--edges needs the whole model", "--wireframe" to "--wireframe",
             "--style technical" to "--style technical", "--style product" to "--style product",
             "--cut z=50%" to "--cut", "--ambient-occlusion" to "--ambient-occlusion",
-            "--ground-shadow" to "--ground-shadow", "--shading-rate pixel" to "--shading-rate pixel",
+            "--ground-shadow" to "--ground-shadow",
             "--aov depth=a.pfm" to "--aov",
             "--strategy lazy" to "with --stream use one of tiled, zbuffer, hybrid, hierarchical",
             "--select count" to "--select", "--coherence incremental --strategy scanline" to "'scanline' needs",

@@ -133,7 +133,7 @@ class StrategyChoiceTest {
         assertEquals(firstWith(Capability.SELECTION), strategyOf(folder.glass(), "--select", "nearest"))
         render(folder.glass(), "--select", "nearest", "--strategy", "tiled")
             .mistake("strategy 'tiled' does not support --select (lists")
-        render(folder.glass(), "--select", "nearest", "--shading-rate", "pixel").mistake("the scene is translucent")
+        render(folder.glass(), "--select", "nearest", "--shading-rate", "pixel").done()
         strategyOf(folder.glass(), "--select", "nearest", "--strategy", "tiled", "--opaque")
     }
 

@@ -40,7 +40,7 @@ class TiledRendererProperties {
         for (tileSize in SIZES) {
             val grid = TileGrid(frame.region, tileSize)
             val arrivals = ActivePrimitives(frame, grid)
-            val band = Band(frame, grid, ArrayPool())
+            val band = Band(frame, grid, ArrayPool(), side = 1)
             for (number in 0 until grid.bands) {
                 arrivals.moveTo(number)
                 band.fill(number, arrivals, null)

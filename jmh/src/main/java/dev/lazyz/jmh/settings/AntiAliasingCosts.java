@@ -83,6 +83,7 @@ public final class AntiAliasingCosts {
             settings.add(new SuperSampling(factor));
         }
         settings.add(new SuperSampling(4, PixelFilter.BOX, ShadingRate.PIXEL));
+        settings.add(new SuperSampling(4, PixelFilter.BOX, ShadingRate.AUTO));
         settings.add(new SuperSampling(4, PixelFilter.MITCHELL));
         settings.add(new SuperSampling(4, PixelFilter.BLACKMAN_HARRIS));
         return settings;

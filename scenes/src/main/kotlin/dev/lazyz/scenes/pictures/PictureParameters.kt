@@ -107,8 +107,8 @@ public object PictureParameters {
     @JvmField
     public val SHADING_RATE: PictureParameter<ShadingRate> = row(
         "shading-rate", named("RATE", ShadingRate.entries),
-        "Shade at every visible sample, or once for each primitive in a pixel, for expensive shaders: sample or pixel",
-        "sample, or pixel with --ambient-occlusion if that is possible",
+        "Shade primitives at every sample, or once in each pixel, or, with auto, once where their material varies little",
+        "auto, or pixel with --ambient-occlusion",
         file = "whoever renders decides",
     )
 

@@ -2,7 +2,6 @@ package dev.lazyz.scenes.pictures
 
 import dev.lazyz.RenderOptions
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
-import dev.lazyz.ShadingRate
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
@@ -177,8 +176,6 @@ public class PictureSettings private constructor(
                 this[PictureParameters.CUT] != null -> names.of(PictureParameters.CUT)
                 style == PictureStyle.PRODUCT -> names.of(PictureParameters.STYLE, "product")
                 shadows != null -> names.of(shadows)
-                this[PictureParameters.SHADING_RATE] == ShadingRate.PIXEL ->
-                    names.of(PictureParameters.SHADING_RATE, "pixel")
                 this[PictureParameters.TEXTURE] != null -> names.of(PictureParameters.TEXTURE)
                 else -> null
             }

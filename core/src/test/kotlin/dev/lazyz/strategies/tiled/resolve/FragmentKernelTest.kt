@@ -2,7 +2,9 @@ package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.Frame
 import dev.lazyz.samples
+import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.PlanarPrimitive
+import dev.lazyz.setup.ShadingPoints
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.Vertices
@@ -70,23 +72,28 @@ class FragmentKernelTest {
     /** Compares fragments at random samples that the first primitive covers, each of the triangle in [numbers]. */
     private fun assertScattered(frame: Frame, batch: TriangleBatch, numbers: IntArray, random: Random, what: String) {
         val faces = batch.faces()
-        val fragments = FragmentBatch(FragmentBatch.CAPACITY)
-        fragments.begin(faces.fields)
-        fragments.size = numbers.size
+        val fragments = WaitingFragments()
+        fragments.batch.begin(faces.fields)
         val covered = frame.primitives.first().samples(frame.raster)
         val samples = List(SIDE * SIDE) { it % SIDE to it / SIDE }.filter { (x, y) -> covered[x, y] }
-        for (i in numbers.indices) {
+        val expected = numbers.map { number ->
             val (x, y) = samples[random.nextInt(samples.size)]
-            fragments.place(i, x, y, 1)
+            Fragment().apply {
+                moveTo(x, y)
+                if (random.nextBoolean()) {
+                    gridRight = random.nextInt(ScreenGrid.STEPS)
+                    gridDown = random.nextInt(ScreenGrid.STEPS)
+                }
+                fragments.add(PrimitiveRuns.place(y, x), 1, x, y, ShadingPoints.point(gridRight, gridDown))
+                (frame.primitives[number] as PlanarPrimitive).attributes(this)
+            }
         }
-        ScatteredAttributes().fill(fragments, batch, numbers, faces)
-        val expected = Fragment()
+        fragments.locate(0, 0)
+        ScatteredAttributes().fill(fragments, 0, 0, batch, numbers, faces)
         val actual = Fragment()
         for (i in numbers.indices) {
-            expected.moveTo(fragments.x[i], fragments.y[i])
-            (frame.primitives[numbers[i]] as PlanarPrimitive).attributes(expected)
-            fragments.moveTo(actual, i)
-            assertEquals(attributes(expected), attributes(actual)) { "$what, sample $i" }
+            fragments.batch.moveTo(actual, i)
+            assertEquals(attributes(expected[i]), attributes(actual)) { "$what, sample $i" }
         }
     }
 
@@ -165,20 +172,28 @@ class FragmentKernelTest {
         what: String,
         start: Int = 0,
     ) {
-        val fragments = WaitingFragments()
-        fragments.batch.begin(face.fields)
-        // Some fragments that were filled in before, so that the first index is not 0
-        fragments.add(PrimitiveRuns.place(0, 0), DONE)
-        fragments.add(PrimitiveRuns.place(ROW, start), count)
-        kernel.attributes(face, fragments, DONE, 0, 0)
-        val expected = Fragment()
-        val actual = Fragment()
-        fragments.locate(0, 0)
-        for (i in 0 until count) {
-            expected.moveTo(start + i, ROW)
-            primitive.attributes(expected)
-            fragments.batch.moveTo(actual, DONE + i)
-            assertEquals(attributes(expected), attributes(actual)) { "$what, sample $i" }
+        for (point in listOf(0, ShadingPoints.point(128, 128), ShadingPoints.point(1, 255))) {
+            val fragments = WaitingFragments()
+            fragments.batch.begin(face.fields)
+            // Some fragments that were filled in before, so that the first index is not 0
+            fragments.add(PrimitiveRuns.place(0, 0), DONE)
+            if (point == 0) {
+                fragments.add(PrimitiveRuns.place(ROW, start), count)
+            } else {
+                for (i in 0 until count) fragments.add(PrimitiveRuns.place(ROW, start + i), 1, start + i, ROW, point)
+            }
+            kernel.attributes(face, fragments, DONE, 0, 0, 1)
+            val expected = Fragment()
+            val actual = Fragment()
+            fragments.locate(0, 0)
+            expected.gridRight = ShadingPoints.right(point)
+            expected.gridDown = ShadingPoints.down(point)
+            for (i in 0 until count) {
+                expected.moveTo(start + i, ROW)
+                primitive.attributes(expected)
+                fragments.batch.moveTo(actual, DONE + i)
+                assertEquals(attributes(expected), attributes(actual)) { "$what, sample $i, point $point" }
+            }
         }
     }
 
