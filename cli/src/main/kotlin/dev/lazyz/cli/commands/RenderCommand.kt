@@ -53,11 +53,7 @@ import dev.lazyz.scenes.pictures.ParameterGroup
 import dev.lazyz.scenes.pictures.PictureParameters.AA
 import dev.lazyz.scenes.pictures.PictureParameters.FORMAT
 import dev.lazyz.scenes.pictures.PictureParameters.OPAQUE
-<<<<<<< HEAD
 import dev.lazyz.scenes.pictures.PictureParameters.SCALE
-import dev.lazyz.scenes.pictures.PictureParameters.SHADING_RATE
-=======
->>>>>>> 61bcf6c0 (wip)
 import dev.lazyz.scenes.pictures.PictureParameters.SIZE
 import dev.lazyz.scenes.pictures.PictureParameters.VIEW
 import java.nio.file.Files
@@ -95,15 +91,8 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     private val settings by lazy {
         // The colours of a count are names of numbers, which must not be mixed
         val usual = ParameterOptions.NONE
-<<<<<<< HEAD
-        // Rates are about the nearest surface. The colours of a count are names of numbers, which must not be mixed
-        val plain = if (rendering.isSelecting) usual.withDefault(SHADING_RATE, ShadingRate.SAMPLE) else usual
-        val start = if (rendering.selector == Selector.count()) plain.withDefault(AA, 1) else plain
-        listOf(reading, picture, light, camera, lines, paper).fold(start) { all, group -> group.addTo(all) }
-=======
         val start = if (rendering.selector == Selector.count()) usual.withDefault(AA, 1) else usual
-        listOf(reading, picture, light, camera, lines).fold(start) { all, group -> group.addTo(all) }
->>>>>>> 61bcf6c0 (wip)
+        listOf(reading, picture, light, camera, lines, paper).fold(start) { all, group -> group.addTo(all) }
     }
 
     override fun help(context: Context): String =
