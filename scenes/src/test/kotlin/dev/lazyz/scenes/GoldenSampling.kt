@@ -33,6 +33,7 @@ internal class GoldenSampling(
             GoldenSampling(
                 "box-4-pixel", SuperSampling(4, rate = ShadingRate.PIXEL), listOf("anisotropic", "metallic", "mask"),
             ),
+            GoldenSampling("box-4-auto", SuperSampling(4, rate = ShadingRate.AUTO), listOf("phong", "blend", "normal-map")),
             GoldenSampling(
                 "mitchell-3-pixel", SuperSampling(3, PixelFilter.MITCHELL, ShadingRate.PIXEL),
                 listOf("trilinear", "normal-map"),
