@@ -95,9 +95,8 @@ public class PictureSettings private constructor(
     public fun without(parameter: PictureParameter<*>): PictureSettings = copy(given = given - parameter)
 
     /**
-     * Returns these settings with another default of [parameter]. Of [PictureParameters.AA] and
-     * [PictureParameters.SHADING_RATE], a default gives way where it is not possible, and a chosen value is an error.
-     * There are defaults of one's own for these two and for [PictureParameters.SIZE].
+     * Returns these settings with another default of [parameter], which is [PictureParameters.SIZE] or
+     * [PictureParameters.AA]. A default of the latter gives way where it is not possible, and a chosen value is an error.
      *
      * @throws IllegalArgumentException if [parameter] is another one
      */
@@ -301,6 +300,6 @@ public class PictureSettings private constructor(
 
         internal val DIRECTION =
             arrayOf<PictureParameter<*>>(PictureParameters.VIEW, PictureParameters.AZIMUTH, PictureParameters.ELEVATION)
-        private val DEFAULTED = listOf(PictureParameters.SIZE, PictureParameters.AA, PictureParameters.SHADING_RATE)
+        private val DEFAULTED = listOf(PictureParameters.SIZE, PictureParameters.AA)
     }
 }

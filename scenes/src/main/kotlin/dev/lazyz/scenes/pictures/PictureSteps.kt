@@ -314,7 +314,7 @@ internal class PictureSteps(
         val filter = settings[PictureParameters.AA_FILTER] ?: PixelFilter.BOX
 
         // Occlusion makes shading expensive, so that a pixel is shaded once
-        val rate = settings.orDefault(PictureParameters.SHADING_RATE)
+        val rate = settings[PictureParameters.SHADING_RATE]
             ?: if (settings.hasOcclusion) ShadingRate.PIXEL else ShadingRate.AUTO
         val wish = SuperSampling(settings.factor, filter, rate)
         val obstacle = wish.obstacle(scene, raster)
