@@ -234,22 +234,12 @@ internal class FragmentShading(
                     done = length
                 } else {
                     val count = minOf(length - done, waiting.room)
-                    if (isOnce) gatherPixels(waiting, start + side * done, count) else waiting.add(start + done, count)
+                    if (isOnce) waiting.addPixels(start + side * done, count, side) else waiting.add(start + done, count)
                     done += count
                 }
             }
         }
         kernel.attributes(face, waiting, first, keys.columnStart, keys.rowStart, side)
-    }
-
-    /** Adds fragments at the centres of [count] pixels, see [addPixels]. */
-    private fun gatherPixels(fragments: WaitingFragments, start: Int, count: Int) {
-        val points = points!!
-        val left = PrimitiveRuns.column(start)
-        val top = PrimitiveRuns.row(start)
-        for (i in 0 until count) {
-            fragments.add(start + points.side * i, 1, left + points.side * i, top, points.centre)
-        }
     }
 
     /** Adds a fragment at the shading point of a triangle with these edges in the pixel of a sample, see [addPart]. */
@@ -284,7 +274,7 @@ internal class FragmentShading(
         val first = waitingSmall.size
         val triangle = index - content.batches[smallBatch].first
         if (PrimitiveRuns.isOfPixels(start)) {
-            gatherPixels(waitingSmall, start, length)
+            waitingSmall.addPixels(start, length, points!!.side)
         } else if (isOnce(index)) {
             content.triangleBatch(smallBatch).vertices(triangle) { ax, ay, bx, by, cx, cy ->
                 edges.opposite(ax, ay, bx, by, cx, cy)

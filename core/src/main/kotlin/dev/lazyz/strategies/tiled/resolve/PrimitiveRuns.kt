@@ -206,6 +206,16 @@ internal class WaitingFragments {
         rows[size++] = top + ShadingPoints.down(point) * GRID
     }
 
+    /** Adds the centres of [count] pixels, which are [side] samples wide, from the one whose first sample is [start]. */
+    fun addPixels(start: Int, count: Int, side: Int) {
+        val column = PrimitiveRuns.column(start) + 0.5 * (side - 1)
+        for (i in 0 until count) places[size + i] = start + side * i
+        for (i in 0 until count) columns[size + i] = column + side * i
+        lengths.fill(1, size, size + count)
+        rows.fill(PrimitiveRuns.row(start) + 0.5 * (side - 1), size, size + count)
+        size += count
+    }
+
     /** How far fragment [i] is right of column 0 of the raster, in grid units, if the tile starts at column [x]. */
     fun gridX(i: Int, x: Int): Int = ScreenGrid.STEPS * x + (ScreenGrid.STEPS * columns[i]).toInt()
 

@@ -159,21 +159,29 @@ internal class TilePixels(
         for (i in 0 until samples) {
             val index = indices[i]
             if (index == TAKEN) continue
-            val isWhole = index == DepthTest.BACKGROUND || fragments.isOnce(index)
-            var count = 0
-            for (j in i until samples) {
-                if (indices[j] != index) continue
-                indices[j] = TAKEN
-                count++
-                if (!isWhole) add(index, x, row, j, if (j == 0) 1 or CORNER else 1)
+            if (index != DepthTest.BACKGROUND && !fragments.isOnce(index)) {
+                add(index, x, row, i, if (i == 0) 1 or CORNER else 1)
+                continue
             }
+            val count = takeSame(i)
             val weight = if (index == corner) count or CORNER else count
-            if (index == DepthTest.BACKGROUND) {
-                add(pixel, background, weight)
-            } else if (isWhole) {
-                add(index, x, row, i, weight)
-            }
+            if (index == DepthTest.BACKGROUND) add(pixel, background, weight) else add(index, x, row, i, weight)
         }
+    }
+
+    /** Marks the samples from number [first] on that show the same primitive as that one, and returns their number. */
+    private fun takeSame(first: Int): Int {
+        val indices = indices
+        val index = indices[first]
+        var count = 0
+        for (i in first until samples) {
+            // Without a branch, which could not be predicted
+            val difference = indices[i] xor index
+            val other = (difference or -difference) shr Int.SIZE_BITS - 1
+            indices[i] = indices[i] and other or (TAKEN and other.inv())
+            count += 1 + other
+        }
+        return count
     }
 
     /** Adds a fragment of the primitive [index] at a [sample] of a mixed pixel. */
