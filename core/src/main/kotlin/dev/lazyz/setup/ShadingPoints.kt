@@ -24,12 +24,9 @@ import dev.lazyz.spi.Spans
  * @property side how many samples wide and high a pixel is, at least 2
  */
 internal class ShadingPoints(val side: Int, private val rate: ShadingRate) : PrimitiveShading {
-    /** The centre of a pixel: the point of a primitive that has all samples of it. */
-    val centre: Int = point((side - 1) * ScreenGrid.CENTER, (side - 1) * ScreenGrid.CENTER)
-
     /** Whether a primitive with the [shader] has one colour in each pixel, if it is a triangle. */
     fun isOnce(shader: Shader): Boolean =
-        rate == ShadingRate.PIXEL || rate == ShadingRate.AUTO && shader is MaterialShader && shader.isSmooth
+        rate == ShadingRate.PIXEL || (rate == ShadingRate.AUTO && shader is MaterialShader && shader.isSmooth)
 
     override fun of(primitive: Primitive): Primitive {
         val shader = primitive.triangle()?.shader

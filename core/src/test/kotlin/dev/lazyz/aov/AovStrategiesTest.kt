@@ -11,10 +11,10 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.SampleScenes
 import dev.lazyz.Selector
+import dev.lazyz.ShadingRate
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.ShadingRate
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.lists.ListsRenderer
 import dev.lazyz.strategies.tiled.TiledRenderer

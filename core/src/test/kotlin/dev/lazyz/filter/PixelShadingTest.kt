@@ -26,8 +26,8 @@ import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.material.TextureMap
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Pieces
+import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.StreamedMesh
 import dev.lazyz.world.surface.Surface
@@ -249,7 +249,7 @@ class PixelShadingTest {
                         primitive.shade(fragment)
                         fragment.red
                     }.toSet()
-                    // Samples on an edge are covered by one of the triangles beside it, and in both; hence the tolerance
+                    // A sample on an edge is in both triangles beside it, and one covers it: hence the tolerance
                     assertEquals(mean, colors.single().toDouble(), 0.01)
                     checked++
                 }
@@ -269,7 +269,8 @@ class PixelShadingTest {
         )
         val rough = listOf(
             Material(texture = texture), Material(shader = ::xOfWorld), Material(specular = Rgba.WHITE, shininess = 65),
-            Material().withMetallicRoughness(MetallicRoughness(0.5f, 0.2f)), Material().withEmissionMap(TextureMap(texture)),
+            Material().withMetallicRoughness(MetallicRoughness(0.5f, 0.2f)),
+            Material().withEmissionMap(TextureMap(texture)),
         )
         for (material in smooth + rough) {
             val calls = listOf(ShadingRate.PIXEL, ShadingRate.AUTO, ShadingRate.SAMPLE).map { rate ->

@@ -8,8 +8,8 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
-import dev.lazyz.filter.SuperSampling.PixelFilter
 import dev.lazyz.ShadingRate
+import dev.lazyz.filter.SuperSampling.PixelFilter
 import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.spi.Srgb
 import dev.lazyz.strategies.Renderers

@@ -2,10 +2,10 @@ package dev.lazyz.strategies
 
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
+import dev.lazyz.ShadingRate
 import dev.lazyz.drawing.EdgeStyle
 import dev.lazyz.drawing.EdgeStyle.EdgeSet
 import dev.lazyz.filter.SuperSampling
-import dev.lazyz.ShadingRate
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene

@@ -1,9 +1,9 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.Rgba
+import dev.lazyz.ShadingRate
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.ShadingRate
 import dev.lazyz.filter.VerticalGradient
 
 /**
@@ -33,7 +33,9 @@ internal class GoldenSampling(
             GoldenSampling(
                 "box-4-pixel", SuperSampling(4, rate = ShadingRate.PIXEL), listOf("anisotropic", "metallic", "mask"),
             ),
-            GoldenSampling("box-4-auto", SuperSampling(4, rate = ShadingRate.AUTO), listOf("phong", "blend", "normal-map")),
+            GoldenSampling(
+                "box-4-auto", SuperSampling(4, rate = ShadingRate.AUTO), listOf("phong", "blend", "normal-map"),
+            ),
             GoldenSampling(
                 "mitchell-3-pixel", SuperSampling(3, PixelFilter.MITCHELL, ShadingRate.PIXEL),
                 listOf("trilinear", "normal-map"),

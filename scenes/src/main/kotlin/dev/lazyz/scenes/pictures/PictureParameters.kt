@@ -3,10 +3,10 @@ package dev.lazyz.scenes.pictures
 import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Region
 import dev.lazyz.Rgba
+import dev.lazyz.ShadingRate
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.ShadingRate
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.scenes.ImageSize

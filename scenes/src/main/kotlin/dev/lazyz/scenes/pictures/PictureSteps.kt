@@ -4,6 +4,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
+import dev.lazyz.ShadingRate
 import dev.lazyz.drawing.EdgeDrawing
 import dev.lazyz.drawing.EdgeStyle
 import dev.lazyz.drawing.EdgeStyle.EdgeSet
@@ -12,7 +13,6 @@ import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.ShadingRate
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.lighting.GroundShadow
 import dev.lazyz.lighting.Matcap

@@ -234,7 +234,11 @@ internal class FragmentShading(
                     done = length
                 } else {
                     val count = minOf(length - done, waiting.room)
-                    if (isOnce) waiting.addPixels(start + side * done, count, side) else waiting.add(start + done, count)
+                    if (isOnce) {
+                        waiting.addPixels(start + side * done, count, side)
+                    } else {
+                        waiting.add(start + done, count)
+                    }
                     done += count
                 }
             }

@@ -1,8 +1,8 @@
 package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.Frame
-import dev.lazyz.samples
 import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.samples
 import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.setup.ShadingPoints
 import dev.lazyz.setup.TriangleBatch
