@@ -30,7 +30,7 @@ internal class ShadingPoints(val side: Int, private val rate: ShadingRate) : Pri
 
     override fun of(primitive: Primitive): Primitive {
         val shader = primitive.triangle()?.shader
-        val isOnce = rate == ShadingRate.PIXEL || shader != null && isOnce(shader)
+        val isOnce = rate == ShadingRate.PIXEL || (shader != null && isOnce(shader))
         return if (isOnce) PixelShadedPrimitive(primitive, this) else primitive
     }
 
