@@ -47,7 +47,8 @@ public interface Renderer {
     /**
      * Renders pixels of [side] x [side] samples of [frame], each the mean of its own samples, and passes every row of
      * them to [sink]; or returns null, before the first row, if this renderer does not do that. Then the rows of samples
-     * are filtered. The pixels are the same, bit for bit. Called by `SampledFrame`, which callers use.
+     * are filtered. The pixels are the same, bit for bit. Called by `SampledFrame`, which callers use. A renderer that
+     * delegates to another one and changes [render] must override this, too.
      *
      * @param frame samples; the region consists of whole pixels
      * @return the work, counted in samples, or null
@@ -67,7 +68,11 @@ public interface Renderer {
     }
 }
 
-/** How often a primitive is shaded with several samples a pixel. */
+/**
+ * Where primitives are shaded with several samples a pixel. How often a shader is called depends on the renderer:
+ * `TiledRenderer` calls it once for each primitive that has one colour in a pixel, as long as it adds up the samples
+ * itself. Others call it at each visible sample, and look for the point of the colour each time.
+ */
 public enum class ShadingRate {
     /** At every visible sample. */
     SAMPLE,

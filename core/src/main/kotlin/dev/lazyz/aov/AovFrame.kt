@@ -2,8 +2,8 @@ package dev.lazyz.aov
 
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
+import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
-import dev.lazyz.RecentPrimitives
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.endIfInterrupted
@@ -280,5 +280,29 @@ internal class PointAovs(private val sampled: SampledFrame, private val aovs: Li
             Aov.POSITION -> AovImage(aov, pixels, positions!!, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY)
             else -> AovImage(aov, pixels, floats.getValue(aov), 0.0, 1.0)
         }
+    }
+}
+
+/** The primitives of [content] by submission index, without objects for all of them. Keeps recent ones; one thread. */
+private class RecentPrimitives(content: FrameContent) {
+    private val read = content.reader()
+
+    /** Recent primitives, by the lower bits of their indices. */
+    private val known = arrayOfNulls<Primitive>(KNOWN)
+    private val indices = IntArray(KNOWN) { DepthTest.BACKGROUND }
+
+    /** Returns the primitive with submission index [index], which is visible somewhere. */
+    operator fun get(index: Int): Primitive {
+        val slot = index and KNOWN - 1
+        if (indices[slot] != index) {
+            known[slot] = read(index)
+            indices[slot] = index
+        }
+        return checkNotNull(known[slot])
+    }
+
+    private companion object {
+        /** Number of primitives that are kept, a power of two. */
+        const val KNOWN = 4096
     }
 }

@@ -57,7 +57,8 @@ internal class PlanarPrimitive(
     /** Without [vertices], which the triangles of a mesh share. */
     override val heldBytes: Long get() = HeapLayout.PLANAR + edges.heldBytes
 
-    /** Created on first use. The object is immutable and always the same, so a race between threads is harmless. */
+    /** Created on first use, perhaps by several threads, and not changed later; volatile, so that all see it whole. */
+    @Volatile
     private var edgeForms: EdgeForms? = null
 
     override fun spans(y: Int, spans: Spans) {

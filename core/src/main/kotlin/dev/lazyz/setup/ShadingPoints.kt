@@ -73,11 +73,26 @@ internal class ShadingPoints(val side: Int, private val rate: ShadingRate) : Pri
 
     /** As the other [find], for a primitive that has the samples of the pixel that are [inside], row by row. */
     fun find(inside: BooleanArray): Int {
-        val all = inside.indices.filter { inside[it] }
-        val column = mean(all.sumOf { it % side }, all.size)
-        val row = mean(all.sumOf { it / side }, all.size)
-        fun square(sample: Int, grid: Int): Int = (ScreenGrid.STEPS * sample - grid).let { it * it }
-        val nearest = all.minBy { square(it % side, column) + square(it / side, row) }
+        var count = 0
+        var columns = 0
+        var rows = 0
+        for (sample in inside.indices) {
+            if (!inside[sample]) continue
+            count++
+            columns += sample % side
+            rows += sample / side
+        }
+        val column = mean(columns, count)
+        val row = mean(rows, count)
+        var nearest = 0
+        var least = Int.MAX_VALUE
+        for (sample in inside.indices) {
+            val right = ScreenGrid.STEPS * (sample % side) - column
+            val down = ScreenGrid.STEPS * (sample / side) - row
+            if (!inside[sample] || right * right + down * down >= least) continue
+            nearest = sample
+            least = right * right + down * down
+        }
         return point(ScreenGrid.STEPS * (nearest % side), ScreenGrid.STEPS * (nearest / side))
     }
 

@@ -28,7 +28,7 @@ internal class MaskedPrimitive(
     override val shadingStartCost: Int get() = whole.shadingStartCost
 
     override fun spans(y: Int, spans: Spans) {
-        val uncut = Spans()
+        val uncut = Spans(spans.columnStart, spans.columnEnd)
         whole.spans(y, uncut)
         val fragment = Fragment()
         for (i in 0 until uncut.count) {

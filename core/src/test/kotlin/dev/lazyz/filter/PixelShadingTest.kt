@@ -157,6 +157,7 @@ class PixelShadingTest {
             Material(texture = picture), Material(texture = picture, shading = Shading.CONSTANT),
             Material().withMetallicRoughness(MetallicRoughness(0.5f, 0.4f)), Material(shader = batched),
             Material(shader = { it.setColor(it.worldX, it.normalZ, it.u) }),
+            Material(shader = { it.setColor(it.worldX, it.worldY, 0.5f, 0f) }),
             Material(texture = picture, alphaMode = AlphaMode.MASK, alphaCutoff = 0.3f),
         ) + glass
         val meshes = materials.map { material ->

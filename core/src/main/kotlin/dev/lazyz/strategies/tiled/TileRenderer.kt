@@ -16,7 +16,7 @@ import dev.lazyz.strategies.tiled.binning.Band
 import dev.lazyz.strategies.tiled.binning.BandSpans
 import dev.lazyz.strategies.tiled.binning.NearToFar
 import dev.lazyz.strategies.tiled.binning.TriangleBins
-import dev.lazyz.strategies.tiled.binning.isOpaqueTriangle
+import dev.lazyz.strategies.tiled.binning.opaqueTriangle
 import dev.lazyz.strategies.tiled.raster.FineRaster
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
@@ -89,9 +89,10 @@ internal class TileRenderer(
         // A primitive behind everything visible in the tile is hidden
         if (band.nearest(member) >= keys.farthest()) return
         val shared = band.spans(member)
+        val triangle = primitive.opaqueTriangle()
         when {
             shared != null -> drawShared(shared.rows(spans, counters, checkpoint), primitive, index)
-            primitive.isOpaqueTriangle() -> drawTriangle(primitive, index)
+            triangle != null -> drawTriangle(triangle, index)
             else -> drawUnshared(primitive, index)
         }
     }

@@ -2,10 +2,13 @@ package dev.lazyz.strategies.tiled
 
 import dev.lazyz.Frame
 import dev.lazyz.HeapLayout
+import dev.lazyz.ObservedPrimitive
+import dev.lazyz.OpaquePrimitive
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.raster.boundsIn
+import dev.lazyz.setup.PixelShadedPrimitive
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.MaskedPrimitive
@@ -101,9 +104,17 @@ internal class TiledMemory(private val frame: Frame, tileSize: Int, private val 
     /** Bytes of the spans of a primitive in one band, if [box] is the part of its bounds in the region. */
     private fun spanBytes(primitive: Primitive, box: Region): Long {
         val columns = box.width.toLong()
-        val mostSpans = if (primitive is MaskedPrimitive) columns else primitive.heldBytes / HeapLayout.SPAN_EDGES
+        val mostSpans = if (primitive.isMasked()) columns else primitive.heldBytes / HeapLayout.SPAN_EDGES
         val rowBytes = Int.SIZE_BYTES + HeapLayout.MEMBER_SPAN * mostSpans.coerceIn(1, columns)
         return HeapLayout.MEMBER_SPANS + minOf(box.height, grid.tileHeight) * rowBytes
+    }
+
+    private fun Primitive.isMasked(): Boolean = when (this) {
+        is MaskedPrimitive -> true
+        is PixelShadedPrimitive -> whole.isMasked()
+        is OpaquePrimitive -> whole.isMasked()
+        is ObservedPrimitive -> whole.isMasked()
+        else -> false
     }
 
     /** Returns a number that the translucent fragments of no tile exceed. */

@@ -158,9 +158,18 @@ public class TiledRenderer internal constructor(
         return GuardedDrawing(this, primitives::draw, primitives::finish)
     }
 
-    /** Adds up the samples of each pixel within its tile, if pixels divide tiles and the frame is in memory. */
+    /**
+     * Adds up the samples of each pixel within its tile, if pixels divide tiles and have at most [MOST_SIDE] samples a
+     * side, and the frame is in memory.
+     */
+    @Throws(InterruptedException::class, IOException::class)
     override fun renderPixels(frame: Frame, side: Int, sink: RowSink): Counters? {
-        if (frame.isStreamed || coherence == Coherence.INCREMENTAL || tileSize % side != 0) return null
+        require(side in 2..Raster.MAX_SIDE) { "a pixel has 2 or more samples a side: $side" }
+        val region = frame.region
+        val sides = listOf(region.columnStart, region.rowStart, region.columnEnd, region.rowEnd)
+        require(sides.all { it % side == 0 }) { "$region must consist of pixels of $side x $side samples" }
+        if (frame.isStreamed || coherence == Coherence.INCREMENTAL) return null
+        if (tileSize % side != 0 || side > MOST_SIDE) return null
         val pool = takePool()
         return render(frame, sink, pool, side).also { keep(pool) }
     }
@@ -178,4 +187,9 @@ public class TiledRenderer internal constructor(
     }
 
     override fun toString(): String = "TiledRenderer($coherence, threads=$threads, tileSize=$tileSize)"
+
+    private companion object {
+        /** Many samples of a pixel can show as many primitives, for which rows of samples are faster. */
+        const val MOST_SIDE = 8
+    }
 }

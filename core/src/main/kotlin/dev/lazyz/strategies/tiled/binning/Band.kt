@@ -7,12 +7,11 @@ import dev.lazyz.RowSink
 import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.VisibilityOrder
+import dev.lazyz.setup.PixelShadedPrimitive
 import dev.lazyz.setup.PlanarPrimitive
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
-import kotlin.contracts.ExperimentalContracts
-import kotlin.contracts.contract
 
 /**
  * A row of tiles: the bins with the primitives of each tile, and memory for the results.
@@ -136,7 +135,7 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
             nearest[member] = order.nearestKey(primitive, content.index(single))
             firstColumns[member] = first
             lastColumns[member] = last
-            spans[member] = if (first == last || primitive.isOpaqueTriangle()) {
+            spans[member] = if (first == last || primitive.opaqueTriangle() != null) {
                 null
             } else {
                 BandSpans(primitive, maxOf(primitive.rowStart, rowStart), minOf(primitive.rowEnd, rowEnd), spanBytes)
@@ -220,9 +219,8 @@ internal class Band(frame: Frame, private val grid: TileGrid, private val pool: 
     }
 }
 
-/** Whether this is a triangle that is drawn in blocks, like those of batches. */
-@OptIn(ExperimentalContracts::class)
-internal fun Primitive.isOpaqueTriangle(): Boolean {
-    contract { returns(true) implies (this@isOpaqueTriangle is PlanarPrimitive) }
-    return this is PlanarPrimitive && isTriangle && !isTranslucent
+/** Returns the triangle that this is, if it is drawn in blocks, like those of batches. */
+internal fun Primitive.opaqueTriangle(): PlanarPrimitive? {
+    val planar = (if (this is PixelShadedPrimitive) whole else this) as? PlanarPrimitive
+    return planar?.takeIf { it.isTriangle && !it.isTranslucent }
 }

@@ -7,7 +7,7 @@ import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.spi.Srgb
 
 /**
- * The loops of [TileShading] that run for every visible sample, except shading itself.
+ * The loops of [FragmentShading] that run for every visible sample, except shading itself.
  *
  * All kernels give the same bits. No state except scratch memory; belongs to one thread.
  *
@@ -99,9 +99,9 @@ internal abstract class FragmentKernel(private val long: Int) {
 /** Loops that run on any JVM. C2 can vectorize those over arrays. */
 internal class ScalarFragmentKernel : FragmentKernel(long = 12) {
     override fun weigh(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int) {
-        val first0 = (face.e0 + face.e0dx * x + face.e0dy * y).toDouble()
-        val first1 = (face.e1 + face.e1dx * x + face.e1dy * y).toDouble()
-        val first2 = (face.e2 + face.e2dx * x + face.e2dy * y).toDouble()
+        val first0 = face.at0(x, y).toDouble()
+        val first1 = face.at1(x, y).toDouble()
+        val first2 = face.at2(x, y).toDouble()
         val right0 = face.e0dx.toDouble()
         val right1 = face.e1dx.toDouble()
         val right2 = face.e2dx.toDouble()

@@ -7,12 +7,9 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.bytes
-import dev.lazyz.raster.EdgeForms
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.ShadingPoints
-import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.LateShading
-import dev.lazyz.spi.Attributes
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.spi.Shader
@@ -60,13 +57,7 @@ internal class FragmentShading(
     private val waiting = WaitingFragments()
     private var shader: Shader? = null
 
-    /**
-     * Waiting fragments of triangles that are too small to load a face: [smallTriangles] of batch number [smallBatch].
-     */
-    private val waitingSmall = WaitingFragments()
-    private val smallTriangles = IntArray(FragmentBatch.CAPACITY)
-    private var smallBatch = -1
-    private val scattered = ScatteredAttributes()
+    private val small = SmallTriangles(content, keys, faces)
     private var isFine = false
     private var shadedBefore = 0L
 
@@ -74,13 +65,9 @@ internal class FragmentShading(
     private val fragment = Fragment()
     private val points = faces.points
 
-    /** The edges of a small triangle. */
-    private val edges = EdgeForms()
-
     /** Peak number of bytes held. */
     val bytes: Long
-        get() = runs.bytes + waiting.bytes + waitingSmall.bytes + scattered.bytes + faces.bytes + single.peakBytes +
-            packed.bytes + smallTriangles.bytes
+        get() = runs.bytes + waiting.bytes + small.bytes + faces.bytes + single.peakBytes + packed.bytes
 
     /**
      * Begins a tile.
@@ -99,7 +86,7 @@ internal class FragmentShading(
         single.beginRow()
     }
 
-    /** Adds the samples of the primitive [index] from place [start] on. It is shaded at each of these [length] samples. */
+    /** Adds [length] samples of the primitive [index] from place [start] on, at each of which it is shaded. */
     fun add(index: Int, start: Int, length: Int) = add(index, start, length, length)
 
     /**
@@ -131,7 +118,7 @@ internal class FragmentShading(
         if (number == PrimitiveRuns.NONE) {
             if (isFine && fragments < FEW && canGatherSmall(index, fragments)) {
                 count(fragments)
-                return gatherSmall(index, start, length)
+                return small.add(index, start, length)
             }
             number = note(index)
         }
@@ -153,8 +140,8 @@ internal class FragmentShading(
         for (i in 0 until length) sink.fill(start + points!!.side * i, 1, argb)
     }
 
-    /** Whether primitive [index] is flat, as far as this is known without looking for it. */
-    fun isFlat(index: Int): Boolean = faces.isUsed && faces.batch(index) >= 0
+    /** Whether primitive [index] is in a batch, and so is a triangle. */
+    fun isOfBatch(index: Int): Boolean = faces.isUsed && faces.batch(index) >= 0
 
     /** Whether primitive [index] has one colour in each pixel, see [ShadingPoints]. */
     fun isOnce(index: Int): Boolean = points != null && faces.isOnce(index)
@@ -198,11 +185,11 @@ internal class FragmentShading(
         counters.shadingStarts += calls
     }
 
-    /** Computes the colours of all samples of group number [group] of [runs], or adds the samples to those waiting. */
+    /** Computes the colours of all samples of group [number] of [runs], or adds the samples to those waiting. */
     private fun shadeAll(number: Int) {
         val index = runs.index(number)
         if (runs.size(number) < FEW && canGatherSmall(index, runs.size(number))) {
-            return runs.forEach(number) { start, length -> gatherSmall(index, start, length) }
+            return runs.forEach(number) { start, length -> small.add(index, start, length) }
         }
         val face = faces.face(index)!!
         if (face.isConstant) {
@@ -230,7 +217,7 @@ internal class FragmentShading(
                     first = 0
                 }
                 if (isOnce && !PrimitiveRuns.isOfPixels(start)) {
-                    gatherPart(waiting, start, length, face)
+                    waiting.addPart(start, length, keys, points!!, face)
                     done = length
                 } else {
                     val count = minOf(length - done, waiting.room)
@@ -246,48 +233,17 @@ internal class FragmentShading(
         kernel.attributes(face, waiting, first, keys.columnStart, keys.rowStart, side)
     }
 
-    /** Adds a fragment at the shading point of a triangle with these edges in the pixel of a sample, see [addPart]. */
-    private fun gatherPart(fragments: WaitingFragments, start: Int, length: Int, edges: EdgeForms) {
-        val x = keys.columnStart + PrimitiveRuns.column(start)
-        val y = keys.rowStart + PrimitiveRuns.row(start)
-        val left = points!!.first(x) - keys.columnStart
-        val top = points.first(y) - keys.rowStart
-        fragments.add(start, length, left, top, points.find(edges, x, y))
-    }
-
     /**
      * Returns whether primitive [index] can be shaded as a small triangle; if so, makes room for [count] more samples.
      */
     private fun canGatherSmall(index: Int, count: Int): Boolean {
         val batch = if (faces.isUsed) faces.batch(index) else -1
-        if (batch < 0 || !faces.setUp(batch).isShared) return false
-        if (faces.setUp(batch).fields and Attributes.FOOTPRINT != 0) return false
-        if (batch != smallBatch || count > waitingSmall.room) {
+        if (!small.accepts(batch)) return false
+        if (!small.hasRoom(batch, count)) {
             flushSmall()
-            smallBatch = batch
-            waitingSmall.batch.begin(faces.setUp(batch).fields)
+            small.begin(batch)
         }
         return true
-    }
-
-    /**
-     * Adds samples of primitive [index] to the waiting ones of small triangles; [canGatherSmall] must have returned
-     * true.
-     */
-    private fun gatherSmall(index: Int, start: Int, length: Int) {
-        val first = waitingSmall.size
-        val triangle = index - content.batches[smallBatch].first
-        if (PrimitiveRuns.isOfPixels(start)) {
-            waitingSmall.addPixels(start, length, points!!.side)
-        } else if (isOnce(index)) {
-            content.triangleBatch(smallBatch).vertices(triangle) { ax, ay, bx, by, cx, cy ->
-                edges.opposite(ax, ay, bx, by, cx, cy)
-            }
-            gatherPart(waitingSmall, start, length, edges)
-        } else {
-            waitingSmall.add(start, length)
-        }
-        smallTriangles.fill(triangle, first, waitingSmall.size)
     }
 
     /** Shades the waiting fragments of faces. */
@@ -297,15 +253,9 @@ internal class FragmentShading(
         shade(waiting, shader!!)
     }
 
-    /** Computes the attributes of the waiting fragments of small triangles, and shades these fragments. */
+    /** Shades the waiting fragments of small triangles. */
     private fun flushSmall() {
-        if (waitingSmall.size == 0) return
-        val setUp = faces.setUp(smallBatch)
-        waitingSmall.locate(keys.columnStart, keys.rowStart)
-        scattered.fill(
-            waitingSmall, keys.columnStart, keys.rowStart, content.triangleBatch(smallBatch), smallTriangles, setUp,
-        )
-        shade(waitingSmall, setUp.shader)
+        if (small.fragments.size > 0) shade(small.fragments, small.complete())
     }
 
     private fun shade(fragments: WaitingFragments, shader: Shader) {

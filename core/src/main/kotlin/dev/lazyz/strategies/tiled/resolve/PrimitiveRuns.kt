@@ -1,9 +1,11 @@
 package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.bytes
+import dev.lazyz.raster.EdgeForms
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.setup.ShadingPoints
 import dev.lazyz.spi.FragmentBatch
+import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
 
 /**
  * The runs of a tile's visible samples, grouped by primitive. A run consists of adjacent samples on a row that show the
@@ -196,7 +198,7 @@ internal class WaitingFragments {
     }
 
     /**
-     * Adds a fragment for [length] samples from place [start] on. It is shaded at a [point], see [ShadingPoints], of the
+     * Adds a fragment for [length] samples from place [start] on. It is shaded at a [point], see [ShadingPoints], of a
      * pixel whose first sample is at column [left] and row [top] of the tile.
      */
     fun add(start: Int, length: Int, left: Int, top: Int, point: Int) {
@@ -206,7 +208,15 @@ internal class WaitingFragments {
         rows[size++] = top + ShadingPoints.down(point) * GRID
     }
 
-    /** Adds the centres of [count] pixels, which are [side] samples wide, from the one whose first sample is [start]. */
+    /** Adds a fragment of a triangle with these [edges] at its point in the pixel, see [FragmentShading.addPart]. */
+    fun addPart(start: Int, length: Int, tile: VisibilityBuffer, points: ShadingPoints, edges: EdgeForms) {
+        val x = tile.columnStart + PrimitiveRuns.column(start)
+        val y = tile.rowStart + PrimitiveRuns.row(start)
+        val point = points.find(edges, x, y)
+        add(start, length, points.first(x) - tile.columnStart, points.first(y) - tile.rowStart, point)
+    }
+
+    /** Adds the centres of [count] pixels of [side] samples, from the one whose first sample is at [start]. */
     fun addPixels(start: Int, count: Int, side: Int) {
         val column = PrimitiveRuns.column(start) + 0.5 * (side - 1)
         for (i in 0 until count) places[size + i] = start + side * i

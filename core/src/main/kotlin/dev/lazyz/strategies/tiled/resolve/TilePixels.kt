@@ -6,10 +6,8 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.bytes
-import dev.lazyz.filter.LightSums
-import dev.lazyz.filter.LightSums.ALPHA
-import dev.lazyz.filter.LightSums.CHANNELS
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
+import dev.lazyz.strategies.tiled.resolve.PixelSums.Companion.CORNER
 
 /**
  * Fills in each pixel of a tile, the mean of its [side] x [side] samples. Nothing of the size of the samples leaves the
@@ -41,14 +39,7 @@ internal class TilePixels(
     /** By column of the tile, the bits in which the keys of a row of pixels differ from those of its first samples. */
     private val differences = LongArray(stride)
 
-    /** By pixel: whether its colours are added up; and the sums, and the colour of the upper left sample, if so. */
-    private val isMixed = BooleanArray(keys.size / samples)
-    private val sums = LongArray(CHANNELS * isMixed.size)
-    private val corners = IntArray(isMixed.size)
-
-    /** The mixed pixels. */
-    private val mixed = IntArray(isMixed.size)
-    private var mixedCount = 0
+    private val sums = PixelSums(keys.size / samples)
 
     /** For each fragment of a mixed pixel, by its sample: for how many it stands, and [CORNER] for the upper left. */
     private val weights = IntArray(keys.size)
@@ -57,12 +48,10 @@ internal class TilePixels(
     private val indices = IntArray(samples)
 
     override val bytes: Long
-        get() = super.bytes + 2 * offsets.bytes + differences.bytes + isMixed.size + sums.bytes + corners.bytes +
-            mixed.bytes + weights.bytes
+        get() = super.bytes + 2 * offsets.bytes + differences.bytes + sums.bytes + weights.bytes
 
     override fun shadeRows() {
-        isMixed.fill(false)
-        mixedCount = 0
+        sums.clear()
         for (row in 0 until (keys.rowEnd - keys.rowStart) / side) {
             checkpoint.pass()
             shadeRow(row)
@@ -133,7 +122,7 @@ internal class TilePixels(
             band.depth[row].fill(frame.raster.backgroundDepth, toColumn + start, toColumn + end)
             return
         }
-        val isFlat = fragments.isFlat(index)
+        val isFlat = fragments.isOfBatch(index)
         for (x in start until end) {
             val at = side * (row * stride + x)
             band.depth[row][toColumn + x] = test.depthOf(if (isFlat) nearestCorner(at) else nearest(at))
@@ -144,9 +133,9 @@ internal class TilePixels(
         for (x in start until end) begin(x, row)
         for (y in side * row until side * (row + 1)) {
             weights.fill(1, y * stride + side * start, y * stride + side * end)
+            if (y == side * row) for (x in start until end) weights[y * stride + side * x] = 1 or CORNER
             fragments.add(index, PrimitiveRuns.place(y, side * start), side * (end - start))
         }
-        for (x in start until end) weights[side * (row * stride + x)] = 1 or CORNER
     }
 
     /** Fills in pixel [x] of a row of pixels, whose samples show several primitives. */
@@ -165,7 +154,7 @@ internal class TilePixels(
             }
             val count = takeSame(i)
             val weight = if (index == corner) count or CORNER else count
-            if (index == DepthTest.BACKGROUND) add(pixel, background, weight) else add(index, x, row, i, weight)
+            if (index == DepthTest.BACKGROUND) sums.add(pixel, background, weight) else add(index, x, row, i, weight)
         }
     }
 
@@ -208,7 +197,7 @@ internal class TilePixels(
                 else -> fragments.shaded(column, y, index).toArgb()
             }
             val isCorner = column == keys.columnStart + side * x && y == keys.rowStart + side * row
-            add(pixel, color, if (isCorner) 1 or CORNER else 1)
+            sums.add(pixel, color, if (isCorner) 1 or CORNER else 1)
         }
         keepNearest(x, row, nearest)
     }
@@ -216,9 +205,7 @@ internal class TilePixels(
     /** Begins the sums of pixel [x], and returns the number of the pixel. */
     private fun begin(x: Int, row: Int): Int {
         val pixel = row * pixelsOfRow + x
-        isMixed[pixel] = true
-        mixed[mixedCount++] = pixel
-        sums.fill(0, CHANNELS * pixel, CHANNELS * (pixel + 1))
+        sums.begin(pixel)
         return pixel
     }
 
@@ -242,16 +229,11 @@ internal class TilePixels(
         return nearest
     }
 
-    private fun add(pixel: Int, color: Int, weight: Int) {
-        LightSums.add(sums, CHANNELS * pixel, color, (weight and CORNER.inv()).toLong())
-        if (weight and CORNER != 0) corners[pixel] = color
-    }
-
     /** Takes the [color] of the fragment at a place. */
     private fun take(place: Int, color: Int) {
         val pixel = pixel(place)
-        if (isMixed[pixel]) {
-            add(pixel, color, weight(place))
+        if (pixel in sums) {
+            sums.add(pixel, color, weight(place))
         } else {
             band.argb[PrimitiveRuns.row(place) shr shift][toColumn + (PrimitiveRuns.column(place) shr shift)] = color
         }
@@ -262,31 +244,13 @@ internal class TilePixels(
         var i = 0
         while (i < fragments.size) {
             val pixel = pixel(places[i])
-            if (!isMixed[pixel]) {
+            if (pixel !in sums) {
                 take(places[i], argb[i++])
                 continue
             }
-
-            // Add up what follows in the same pixel
-            var red = 0L
-            var green = 0L
-            var blue = 0L
-            var alpha = 0L
-            do {
-                val weight = weight(places[i])
-                if (weight and CORNER != 0) corners[pixel] = argb[i]
-                LightSums.of(argb[i++], (weight and CORNER.inv()).toLong()) { r, g, b, a ->
-                    red += r
-                    green += g
-                    blue += b
-                    alpha += a
-                }
-            } while (i < fragments.size && pixel(places[i]) == pixel)
-            val at = CHANNELS * pixel
-            sums[at] += red
-            sums[at + 1] += green
-            sums[at + 2] += blue
-            sums[at + ALPHA] += alpha
+            val first = i++
+            while (i < fragments.size && pixel(places[i]) == pixel) i++
+            sums.add(pixel, argb, first, i) { weight(places[it]) }
         }
     }
 
@@ -300,17 +264,13 @@ internal class TilePixels(
     private fun weight(place: Int): Int = weights[PrimitiveRuns.row(place) * stride + PrimitiveRuns.column(place)]
 
     override fun finish() {
-        for (i in 0 until mixedCount) {
-            val pixel = mixed[i]
-            band.argb[pixel / pixelsOfRow][toColumn + pixel % pixelsOfRow] =
-                LightSums.mean(sums, CHANNELS * pixel, samples.toLong(), corners[pixel])
+        for (number in 0 until sums.count) {
+            val pixel = sums[number]
+            band.argb[pixel / pixelsOfRow][toColumn + pixel % pixelsOfRow] = sums.mean(pixel, samples)
         }
     }
 
     private companion object {
-        /** Marks the weight of a fragment whose colour is that of the upper left sample. */
-        const val CORNER = 1 shl 16
-
         /** Less than all indices. */
         const val TAKEN = Int.MIN_VALUE
     }

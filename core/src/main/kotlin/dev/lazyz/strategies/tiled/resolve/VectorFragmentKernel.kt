@@ -36,9 +36,9 @@ internal class VectorFragmentKernel : FragmentKernel(long = 4) {
     private val blue = Component()
 
     override fun weigh(face: Face, fragments: WaitingFragments, at: Int, x: Int, y: Int) {
-        val first0 = (face.e0 + face.e0dx * x + face.e0dy * y).toDouble()
-        val first1 = (face.e1 + face.e1dx * x + face.e1dy * y).toDouble()
-        val first2 = (face.e2 + face.e2dx * x + face.e2dy * y).toDouble()
+        val first0 = face.at0(x, y).toDouble()
+        val first1 = face.at1(x, y).toDouble()
+        val first2 = face.at2(x, y).toDouble()
         val right0 = face.e0dx.toDouble()
         val right1 = face.e1dx.toDouble()
         val right2 = face.e2dx.toDouble()
