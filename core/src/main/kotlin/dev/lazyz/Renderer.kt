@@ -46,9 +46,9 @@ public interface Renderer {
 
     /**
      * Renders pixels of [side] x [side] samples of [frame], each the mean of its own samples, and passes every row of
-     * them to [sink]; or returns null, before the first row, if this renderer does not do that. Then the rows of samples
-     * are filtered. The pixels are the same, bit for bit. Called by `SampledFrame`, which callers use. A renderer that
-     * delegates to another one and changes [render] must override this, too.
+     * them to [sink]; or returns null, before the first row, if this renderer does not do that. Then the rows of
+     * samples are filtered. The pixels are the same, bit for bit. Called by `SampledFrame`, which callers use. A
+     * renderer that delegates to another one and changes [render] must override this, too.
      *
      * @param frame samples; the region consists of whole pixels
      * @return the work, counted in samples, or null
@@ -79,8 +79,8 @@ public enum class ShadingRate {
 
     /**
      * A primitive has one colour in each pixel, that of the mean of the pixel's samples that are in it (contract rule
-     * 6.12). The edges of primitives are as smooth as with [SAMPLE]; highlights are not. Textures with a `MipFilter` are
-     * read with the footprint of a pixel, as with one sample a pixel. For expensive shaders.
+     * 6.12). The edges of primitives are as smooth as with [SAMPLE]; highlights are not. Textures with a `MipFilter`
+     * are read with the footprint of a pixel, as with one sample a pixel. For expensive shaders.
      */
     PIXEL,
 

@@ -38,8 +38,8 @@ internal class ShadingPoints(val side: Int, private val rate: ShadingRate) : Pri
     fun first(x: Int): Int = x - Math.floorMod(x, side)
 
     /**
-     * Returns the point at which a triangle with these edge functions is shaded in the pixel of sample ([x], [y]), which
-     * it covers. A sample is in the triangle if no edge function is negative.
+     * Returns the point at which a triangle with these edge functions is shaded in the pixel of sample ([x], [y]),
+     * which it covers. A sample is in the triangle if no edge function is negative.
      */
     fun find(edges: EdgeForms, x: Int, y: Int): Int {
         val left = first(x)

@@ -97,7 +97,7 @@ class PixelShadingTest {
         }
     }
 
-    /** A ball is shaded at samples, a floor also between them; with 3 x 3 samples, the centre of a pixel is a sample. */
+    /** A ball is shaded at samples, a floor also between them; with 3 x 3 samples, the centre of a pixel is one. */
     @Test
     fun rule_6_12_shadersGetTheDerivativesOfAPixel() {
         for ((factor, surface) in listOf(2 to ::ball, 3 to ::ball, 4 to ::ball, 3 to ::floor)) {

@@ -96,7 +96,8 @@ public class PictureSettings private constructor(
 
     /**
      * Returns these settings with another default of [parameter], which is [PictureParameters.SIZE] or
-     * [PictureParameters.AA]. A default of the latter gives way where it is not possible, and a chosen value is an error.
+     * [PictureParameters.AA]. A default of the latter gives way where it is not possible, and a chosen value is an
+     * error.
      *
      * @throws IllegalArgumentException if [parameter] is another one
      */

@@ -149,8 +149,8 @@ internal class Face : EdgeForms() {
     }
 
     /**
-     * Fills in the attributes of one fragment, at index [i] of [batch], at a point that is [x] grid units right of sample
-     * (0, 0) and [y] below it.
+     * Fills in the attributes of one fragment, at index [i] of [batch], at a point that is [x] grid units right of
+     * sample (0, 0) and [y] below it.
      *
      * @param side see [Fragment.footprintSide]
      */

@@ -50,7 +50,8 @@ internal class PixelSums(pixels: Int) {
     }
 
     /**
-     * Adds the colours [argb] from number [first] until [end] to a pixel; [weight] returns for how many samples each is.
+     * Adds the colours [argb] from number [first] until [end] to a pixel; [weight] returns for how many samples each
+     * is.
      */
     inline fun add(pixel: Int, argb: IntArray, first: Int, end: Int, weight: (i: Int) -> Int) {
         var red = 0L
