@@ -69,7 +69,8 @@ class ReferenceTest {
     @Test
     fun goldenFilesOfJunitAreReferences() {
         val golden = ProjectFiles.folderOf("testing").resolve("src/test/resources/golden/teapot.png")
-        zcli("render", "teapot", "--size", "120x90", "--aa", "2", "--ref", golden).done()
+        val rate = arrayOf("--shading-rate", "sample")
+        zcli("render", "teapot", "--size", "120x90", "--aa", "2", *rate, "--ref", golden).done()
         assertEquals(ExitCode.DIFFERENT, zcli("render", "teapot", "--size", "120x90", "--ref", golden).code)
     }
 

@@ -2,6 +2,7 @@ package dev.lazyz.conformance.rules
 
 import dev.lazyz.Capability
 import dev.lazyz.RenderOptions
+import dev.lazyz.ShadingRate
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.asOpaque
 import dev.lazyz.conformance.cases.changed.dazzling
@@ -15,6 +16,8 @@ import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.TranslucentCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.requireDeclared
+import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.conformance.probes.Pixelated
 import dev.lazyz.conformance.probes.surfacesOfOneShader
 import dev.lazyz.conformance.probes.textured
 import net.jqwik.api.EdgeCasesMode
@@ -72,6 +75,23 @@ public sealed interface ShadingRules : RulesForOne {
         // With several threads, and without any memory budget, renderers take other code paths
         val options = RenderOptions(memoryBudget = 0L, threads = 2, tileSize = 8).supportedBy(renderer)
         Judgement(renderer.configured(options), case, "$options").equalsReference()
+    }
+
+    /** Pixels are the means of their samples, whether a renderer adds them up itself or its rows are filtered. */
+    @Rule(
+        intent = "Several samples a pixel give the same pixels, whichever way the renderer takes.",
+        look = "If the renderer overrides renderPixels: sums in linear light, weighted by alpha, for all samples of the " +
+            "pixel; depth and primitive of its nearest sample.",
+        about = [Symptom.COLOR],
+        isSpecial = true,
+    )
+    @Property(tries = 30, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
+    public fun rule_6_12_pixelsAreTheMeansOfTheirSamples(@ForAll(supplier = MixedCases::class) case: FrameCase) {
+        val renderer = renderer()
+        for ((side, rate) in listOf(2 to ShadingRate.SAMPLE, 3 to ShadingRate.PIXEL, 4 to ShadingRate.AUTO)) {
+            Judgement(Pixelated(renderer, side, rate), case, "$side x $side samples a pixel, rate $rate")
+                .equalsPictureOf(Pixelated(ReferenceRenderer(), side, rate))
+        }
     }
 
     /** Surfaces with nearly the same colour everywhere are shaded at every sample, with or without a shading cursor. */

@@ -11,6 +11,7 @@ import dev.lazyz.conformance.mutants.wrappers.FailureMistakes
 import dev.lazyz.conformance.mutants.wrappers.GlassMistakes
 import dev.lazyz.conformance.mutants.wrappers.MannerMistakes
 import dev.lazyz.conformance.mutants.wrappers.MemoryMistakes
+import dev.lazyz.conformance.mutants.wrappers.PixelMistakes
 import dev.lazyz.conformance.mutants.wrappers.PromiseMistakes
 import dev.lazyz.conformance.mutants.wrappers.ReuseMistakes
 import dev.lazyz.conformance.mutants.wrappers.SelectorMistakes
@@ -47,7 +48,7 @@ internal class Mistake(val make: () -> Renderer, val what: String, vararg notice
 internal object Mistakes {
     val all: List<Mistake> = Skeletons.mistakes + CoverageMistakes.mistakes + DepthMistakes.mistakes +
         BasicMistakes.mistakes + SizeMistakes.mistakes + CombinationMistakes.mistakes + ColourMistakes.mistakes +
-        GlassMistakes.mistakes + ShadingMistakes.mistakes +
+        GlassMistakes.mistakes + PixelMistakes.mistakes + ShadingMistakes.mistakes +
         MannerMistakes.mistakes + ThreadMistakes.mistakes + PromiseMistakes.mistakes + MemoryMistakes.mistakes +
         SelectorMistakes.mistakes + VariantMistakes.mistakes + ReuseMistakes.mistakes + StreamMistakes.mistakes +
         FailureMistakes.mistakes + TidyMistakes.mistakes

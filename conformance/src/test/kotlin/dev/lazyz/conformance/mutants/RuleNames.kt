@@ -25,6 +25,7 @@ internal object RuleNames {
     val extremes = RendererConformance::rule_5_5_extremesOfLightAndAlphaBlend.name
     val flecks = RendererConformance::rule_6_1_everySampleIsShadedSeparately.name
     val unset = RendererConformance::rule_6_1_coloursThatAreNotSetAreBlack.name
+    val pixels = RendererConformance::rule_6_12_pixelsAreTheMeansOfTheirSamples.name
     val packed = RendererConformance::rule_6_4_coloursOfAnyBrightnessArePacked.name
     val workers = RendererConformance::rule_7_1_failuresInThreadsReachTheCaller.name
     val finish = RendererConformance::rule_7_8_interruptedWorkersFinishTheirWork.name

@@ -3,15 +3,19 @@ package dev.lazyz.conformance.mutants.wrappers
 import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.Frame
+import dev.lazyz.Image
 import dev.lazyz.Primitive
+import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.RowSink
 import dev.lazyz.Selector
 import dev.lazyz.Selector.Cell
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
+import dev.lazyz.conformance.mutants.PlainRenderer
 import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.primitives
+import dev.lazyz.filter.SuperSampling
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.ShadingCursor
 import dev.lazyz.strategies.lazy.LazyRenderer
@@ -145,6 +149,54 @@ internal object ColourMistakes {
             fragment.moveTo(fragment.x, maxOf(whole.rowStart, 0))
             whole.shade(fragment)
         }
+    }
+}
+
+/** Renderers that are correct except for how they add up the samples of a pixel. */
+internal object PixelMistakes {
+    val mistakes: List<Mistake> = listOf(
+        Mistake({ WrongPixels("averages-codes", ::meanOfCodes) }, "averages codes instead of light", RuleNames.pixels),
+        Mistake({ WrongPixels("takes-one-sample") { it[0] } }, "shows one sample of a pixel", RuleNames.pixels),
+        Mistake(
+            { WrongPixels("depth-of-one-sample", null) }, "a pixel has the depth of its first sample", RuleNames.pixels,
+        ),
+    )
+
+    private fun meanOfCodes(samples: IntArray): Int {
+        fun mean(shift: Int) = samples.sumOf { it ushr shift and 0xFF } / samples.size shl shift
+        return mean(24) or mean(16) or mean(8) or mean(0)
+    }
+
+    /** Its pixels have the colour that [color] returns for the colours of their samples, or null for the right one. */
+    private class WrongPixels(id: String, private val color: ((IntArray) -> Int)?) : PlainRenderer(id) {
+        override fun renderPixels(frame: Frame, side: Int, sink: RowSink): Counters {
+            val samples = render(frame)
+            val right = Image.Collector(frame.region.pixels(side)).let { it.toImage(filtered(frame, side, it)) }
+            val width = frame.width / side
+            for (row in 0 until frame.height / side) {
+                val y = frame.region.rowStart / side + row
+                val first = frame.region.columnStart / side
+                val argb = IntArray(width) { x -> right.argb(first + x, y) }
+                val depth = IntArray(width) { x -> right.depth(first + x, y) }
+                val index = IntArray(width) { x -> right.primitive(first + x, y) }
+                for (x in 0 until width) {
+                    val left = side * (first + x)
+                    if (color == null) {
+                        depth[x] = samples.depth(left, side * y)
+                    } else {
+                        argb[x] = color(IntArray(side * side) { samples.argb(left + it % side, side * y + it / side) })
+                    }
+                }
+                sink.row(y, argb, depth, index)
+            }
+            return samples.counters
+        }
+
+        private fun Region.pixels(side: Int) =
+            Region(columnStart / side, rowStart / side, columnEnd / side, rowEnd / side)
+
+        private fun filtered(frame: Frame, side: Int, sink: RowSink): Counters =
+            SuperSampling(side).of(frame).render(PlainRenderer(), sink)
     }
 }
 
