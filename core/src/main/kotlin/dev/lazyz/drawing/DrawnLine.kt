@@ -1,7 +1,9 @@
 package dev.lazyz.drawing
 
+import dev.lazyz.endIfInterrupted
 import dev.lazyz.sections.Hatching
 import dev.lazyz.world.surface.Polygon
+import kotlin.math.abs
 import kotlin.math.floor
 import org.joml.Vector3dc
 
@@ -45,7 +47,7 @@ public class DrawnLine internal constructor(
  * @property contours closed contours of what is near the raster, with the non-zero rule: columns and rows of their
  *   points in turn, pixels
  * @property stripes if the material of the cap is a [Hatching], the contours of its stripes, in the same form; none if
- *   there would be more than [MAX_STRIPES]
+ *   there would be more than [MAX_STRIPES], or the cap is more than 2^53 periods from the origin of the scene
  */
 public class DrawnCap internal constructor(
     public val cap: Polygon,
@@ -133,15 +135,16 @@ internal class CapView(private val space: ViewSpace, private val origin: Vector3
     private fun stripes(contours: List<DoubleArray>, share: Double): List<DoubleArray> {
         val numbers = contours.flatMap { contour -> (PLACE until contour.size step SIZE).map { contour[it] } }
         if (!(numbers.max() - numbers.min() <= DrawnCap.MAX_STRIPES)) return emptyList()
+        if (numbers.any { abs(it) > MOST_PLACE }) return emptyList()
         val stripes = ArrayList<DoubleArray>()
         for (contour in contours) {
             var rest = contour
-            var number = floor((PLACE until contour.size step SIZE).minOf { contour[it] })
-            while (rest.isNotEmpty()) {
+            val own = (PLACE until contour.size step SIZE).map { contour[it] }
+            for (number in floor(own.min()).toLong()..floor(own.max()).toLong()) {
+                endIfInterrupted()
                 val stripe = rest.cut { number + share - it[PLACE] }.cut { it[PLACE] - number }
                 if (stripe.size >= 3 * SIZE) stripes += places(stripe)
-                number += 1.0
-                rest = rest.cut { it[PLACE] - number }
+                rest = rest.cut { it[PLACE] - (number + 1) }
             }
         }
         return stripes
@@ -154,5 +157,8 @@ internal class CapView(private val space: ViewSpace, private val origin: Vector3
 
         /** How far beyond the raster a cap is kept, so that its new sides are not seen, pixels. */
         const val MARGIN = 2.0
+
+        /** Up to here, 2^53, doubles have all whole numbers. */
+        const val MOST_PLACE = 9_007_199_254_740_992.0
     }
 }

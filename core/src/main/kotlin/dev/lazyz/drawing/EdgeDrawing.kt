@@ -150,7 +150,10 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
      * Returns the caps that show their front to [camera], as they are on [raster], of which only the size counts. As
      * all that a section leaves is behind its planes, nothing hides them, except what it cannot cut. Caps that show
      * their back are behind their own solids.
+     *
+     * @throws InterruptedException if the thread is interrupted
      */
+    @Throws(InterruptedException::class)
     public fun caps(raster: Raster, camera: Camera): List<DrawnCap> {
         val view = CapView(ViewSpace(raster, camera), Scene(surfaces).origin)
         return surfaces.filterIsInstance<Polygon>().filter { it.isCap }.mapNotNull(view::of)

@@ -19,6 +19,7 @@ import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
@@ -152,5 +153,12 @@ class DrawnLineTest {
                 assertEquals(0.1, place - StrictMath.floor(place + 1e-6), 0.1 + 1e-6)
             }
         }
+
+        // So far away, the next whole number is the same one
+        val surface = cut.filterIsInstance<Polygon>().single()
+        val far = CapView(ViewSpace(pixels, right), Vector3d(-1e18, 0.0, 0.0)).of(surface)
+        assertEquals(0, checkNotNull(far).stripes.size)
+        Thread.currentThread().interrupt()
+        assertThrows(InterruptedException::class.java) { drawing(cut).caps(pixels, right) }
     }
 }
