@@ -79,8 +79,8 @@ public enum class ReferencePolicy {
  * @property items maximum total number of items: the parts that files name or list, such as objects, materials,
  *   statements `o` and `newmtl`, nodes and all other objects of JSON, elements and properties of PLY, solids of STL,
  *   files and resources of 3MF. An item also counts as 64 bytes of decoded data
- * @property spoolBytes maximum total bytes of temporary files, which models that are read part by part may need. Null,
- *   the default, means no limit but the free space of the folder
+ * @property spoolBytes maximum total bytes of temporary files, which models that are read part by part, and archives,
+ *   may need. Null, the default, means no limit but the free space of the folder
  * @throws IllegalArgumentException if a limit is negative, or [nesting] is not in 1..1000
  */
 public class LoadLimits @JvmOverloads constructor(

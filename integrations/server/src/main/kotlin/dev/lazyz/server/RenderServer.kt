@@ -4,7 +4,8 @@ import java.io.IOException
 import java.time.Duration
 
 /**
- * An HTTP server that renders models: `POST /render` with a model as the body is answered with a PNG file.
+ * An HTTP server that renders models: `POST /render` with a model as the body is answered with a picture of it, or data
+ * of its pixels.
  *
  * ```
  * RenderServer(ServerConfig(port = 0)).start().use { server ->

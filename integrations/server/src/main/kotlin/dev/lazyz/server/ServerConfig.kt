@@ -24,8 +24,8 @@ import java.util.function.Consumer
  * @property body maximum bytes of a model, 1 or more. More than the memory for uploads is never accepted
  * @property pixels maximum pixels of a picture, 1 or more
  * @property limits limits on what a model can request. [LoadLimits.decodedBytes] is by default a part of [memory],
- *   such that all [renders] can use it at the same time; [LoadLimits.time] at most [renderTime]; references to other
- *   files are never followed
+ *   such that all [renders] can use it at the same time; [LoadLimits.time] at most [renderTime]; references lead to
+ *   files of the same archive only, whatever [LoadLimits.references] says
  * @property idleTime time for a client to send the next request up to the end of its headers
  * @property uploadTime time for a client to send a model
  * @property uploadRate bytes a second that a client must send on average, after the first 5 seconds; 0 or more

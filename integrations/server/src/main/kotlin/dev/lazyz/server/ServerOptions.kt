@@ -117,7 +117,7 @@ internal object ServerOptions {
         appendLine("Usage: java -jar lazyz-server.jar [OPTIONS]")
         appendLine()
         appendLine("Renders models over HTTP: POST /render with a model as the body is answered")
-        appendLine("with a PNG file. GET / lists the parameters.")
+        appendLine("with a picture of it, or data of its pixels. GET / lists the parameters.")
         appendLine()
         appendLine("Options:")
         for (option in options) appendLine("  ${option.name} ${option.form}\n      ${option.help}")

@@ -72,7 +72,10 @@ class RenderServerTest {
     }
 
     @ParameterizedTest
-    @CsvSource("image/png, 415", "multipart/form-data; boundary=x, 415", "model/stl, 422", "model/obj; a=b, 200")
+    @CsvSource(
+        "image/png, 415", "multipart/form-data; boundary=x, 415", "application/x-zip-compressed, 200", "model/stl, 422",
+        "model/obj; a=b, 200",
+    )
     fun theTypeDeterminesTheFormat(type: String, status: Int) {
         assertEquals(status, client.post("/render?size=8", Client.MODEL, "Content-Type", type).statusCode())
         assertEquals(200, client.post("/render?size=8&format=obj", Client.MODEL, "Content-Type", type).statusCode())

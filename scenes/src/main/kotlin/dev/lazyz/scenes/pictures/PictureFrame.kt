@@ -18,10 +18,14 @@ import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.spi.ShadingObserver
 import dev.lazyz.world.Camera
+import dev.lazyz.world.material.Texture
 import java.io.IOException
+import java.nio.file.Path
+import java.util.concurrent.ConcurrentHashMap
 
 /**
  * A picture that is set up and can be rendered: a frame of samples, how they become pixels, and what is behind them.
@@ -123,7 +127,8 @@ public class PictureFrame internal constructor(
 }
 
 /**
- * Is told what happens while a picture is set up. By default, it keeps the warnings, and nothing else comes of it.
+ * Is told what happens while a picture is set up. By default, it keeps the warnings, and nothing else comes of it. It
+ * also keeps the texture and the matcap: the pictures of one observer read each file once.
  *
  * @property name what the model is called in messages
  * @property limits limits on a texture and on a matcap
@@ -133,6 +138,10 @@ public open class PictureObserver @JvmOverloads constructor(
     public val limits: LoadLimits = LoadLimits(),
 ) {
     private val kept = ArrayList<String>()
+    private val textures = ConcurrentHashMap<Path, Texture>()
+
+    /** Returns the image in a file. */
+    internal fun texture(file: Path): Texture = textures.computeIfAbsent(file) { Scenes.texture(it, limits) }
 
     /** The warnings that were kept. */
     public val warnings: List<String> get() = kept

@@ -19,7 +19,6 @@ import dev.lazyz.lighting.Matcap
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.scenes.Scenes
 import dev.lazyz.sections.SectionPlane
 import dev.lazyz.spi.Shader
 import dev.lazyz.world.Camera
@@ -185,7 +184,7 @@ internal class PictureSteps(
         return scene.withSurfaces(surfaces)
     }
 
-    private fun texture(file: Path, scene: Scene) = Scenes.texture(file, observer.limits).also {
+    private fun texture(file: Path, scene: Scene) = observer.texture(file).also {
         val name = names.of(PictureParameters.TEXTURE)
         val bare = scene.surfaces.count { !it.hasUvs(0) }
         val all = scene.surfaces.size
@@ -225,7 +224,7 @@ internal class PictureSteps(
         val color = settings[PictureParameters.COLOR]
         val matcap = settings[PictureParameters.MATCAP]
         if (matcap != null) {
-            val picture = Scenes.texture(matcap, observer.limits)
+            val picture = observer.texture(matcap)
                 .withSampling(Texture.Filter.BILINEAR, Texture.Wrap.CLAMP, Texture.Wrap.CLAMP, MipFilter.NONE)
             val shader = Matcap(picture, scene.viewpoint as Camera, scene.origin, color ?: Rgba.WHITE)
             return scene.withMaterials { it.withShader(shader) }

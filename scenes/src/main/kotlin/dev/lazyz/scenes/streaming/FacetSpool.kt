@@ -2,6 +2,7 @@ package dev.lazyz.scenes.streaming
 
 import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.writers.TemporaryFile
@@ -126,34 +127,42 @@ internal class PartBox {
 
 /**
  * The room that temporary files may take in [folder]: at most [most] bytes together, and never the last
- * [KEPT_BYTES] of the disk. Not thread safe.
+ * [kept] bytes of the disk. Not thread safe.
  *
  * @property folder where temporary files are created
  * @param name name of the model in messages
  * @param most most bytes, or null
+ * @param instead what else to do if that is too few
+ * @param kept space of the disk that is left to others, bytes
  */
-internal class SpoolSpace(val folder: Path, private val name: String, private val most: Long?) {
+internal class SpoolSpace(
+    val folder: Path,
+    private val name: String,
+    private val most: Long?,
+    private val instead: String = ", or use a binary STL file, which needs none",
+    private val kept: Long = 64L shl 20,
+) {
     private var taken = 0L
     private var checked = 0L
 
     /**
      * Records that [bytes] are about to be written.
      *
-     * @throws SceneFormatException if there is no room for them
+     * @throws SceneFormatException if they are too many; a [SceneReadException] if the disk has no room for them
      */
     fun take(bytes: Long) {
         taken += bytes
         if (most != null && taken > most) {
             throw SceneFormatException(
                 name, null, "needs temporary files of more than $most bytes",
-                "raise LoadLimits.spoolBytes (zcli: --max-spool), or use a binary STL file, which needs none",
+                "raise LoadLimits.spoolBytes (zcli: --max-spool)$instead",
             )
         }
         if (taken < checked) return
         val free = Files.getFileStore(folder).usableSpace
-        if (free < KEPT_BYTES + STEP_BYTES) {
-            throw SceneFormatException(
-                name, null, "needs temporary files, and only $free bytes are free in $folder",
+        if (free < kept + STEP_BYTES) {
+            throw SceneReadException(
+                name, "needs temporary files, and only $free bytes are free in $folder",
                 "free some space, or choose another folder (zcli: --spool)",
             )
         }
@@ -179,9 +188,6 @@ internal class SpoolSpace(val folder: Path, private val name: String, private va
     }
 
     companion object {
-        /** Space of the disk that is left to others. */
-        private const val KEPT_BYTES = 64L shl 20
-
         /** Bytes that are written before the free space is looked at again. */
         private const val STEP_BYTES = 16L shl 20
     }

@@ -33,7 +33,8 @@ import java.nio.file.Path
  * It is made for archives from strangers. References do not lead out of the archive. What cannot be meant well is
  * refused before anything is written: names with `..`, of other places, or that differ only in case; links; encrypted
  * files; more than [MOST_FILES] files. All bytes that are unpacked count as decoded data, whatever the archive says
- * about their number, and as temporary files. Archives in it are not unpacked. Not thread safe.
+ * about their number, and as temporary files; their checksums are checked. Archives in it are not unpacked. Not thread
+ * safe.
  *
  * @property folder the folder with the files
  */
@@ -46,6 +47,7 @@ public class ModelArchive private constructor(
      * Reads the model called [model] or, if that is null, the only one: a file with the extension of a model.
      *
      * @param format its format, or null if its name or content decides
+     * @param options how to read it; references lead to files of the archive, whatever [LoadLimits.references] says
      * @throws SceneFormatException if there is no such model, there are several, or it is wrong
      */
     @JvmOverloads
@@ -56,8 +58,9 @@ public class ModelArchive private constructor(
         options: LoadOptions = LoadOptions(),
     ): LoadedScene {
         val path = if (model == null) file(only()) else file(model)
+        val own = options.withLimits(options.limits.withReferences(ReferencePolicy.WITHIN_FOLDER))
         val loaded = try {
-            SceneReading.read(path, format ?: SceneFormat.ofFileName(path.toString()), Loading(options), folder)
+            SceneReading.read(path, format ?: SceneFormat.ofFileName(path.toString()), Loading(own), folder)
         } catch (failure: SceneFormatException) {
             throw named(failure)
         }
@@ -76,8 +79,12 @@ public class ModelArchive private constructor(
         return folder.resolve(found ?: refuse(name, "there is no file '$file' in it", "it has ${listed(files)}"))
     }
 
-    /** Returns [failure] with the names of the archive in place of those of temporary files. */
+    /**
+     * Returns [failure] with the names of the archive in place of those of temporary files. If these cannot be read, it
+     * stays as it is, for those who run the program.
+     */
     public fun named(failure: SceneFormatException): SceneFormatException {
+        if (failure is SceneReadException) return failure
         val remedy = if (failure.remedy == FileReferences.REMEDY) "put it into the archive" else failure.remedy
         return SceneFormatException(
             named(failure.source), failure.location?.let(::named), named(failure.problem), remedy?.let(::named),
@@ -112,8 +119,9 @@ public class ModelArchive private constructor(
         /** Most files of an archive. */
         public const val MOST_FILES: Int = 1000
 
-        /** Most characters of a path, and most folders in folders. */
+        /** Most characters of a path, most bytes of a name in it, as disks have them, and most folders in folders. */
         private const val LONGEST = 250
+        private const val LONGEST_NAME = 255
         private const val DEEPEST = 16
 
         /** Files that a message names. */
@@ -162,17 +170,17 @@ public class ModelArchive private constructor(
             limits: LoadLimits,
             use: (LoadedScene, PictureSettings) -> T,
         ): T {
-            if (format == SceneFormat.THREE_MF || !isOne(bytes, limits)) {
+            if (!isOne(bytes, limits)) {
                 val lonely = model?.let { "model" } ?: FILES.firstOrNull { settings[it] != null }
                 if (lonely != null) {
                     refuse(name, "is no ZIP archive, so '$lonely' has no effect", "send one, or omit it")
                 }
-                val known = format ?: Scenes.formatOf(bytes) ?: refuse(name, "is of no known format", "name its format")
+                val known = format ?: SceneFormat.ofFileName(name) ?: Scenes.formatOf(bytes)
+                    ?: refuse(name, "is of no known format", "name its format, such as format=stl")
                 return use(Scenes.load(bytes, known, name, settings.loadOptions(limits)), settings)
             }
-            val own = limits.withReferences(ReferencePolicy.WITHIN_FOLDER)
-            return open(bytes, name, own).use { archive ->
-                val loaded = archive.load(model, format, settings.loadOptions(own))
+            return open(bytes, name, limits).use { archive ->
+                val loaded = archive.load(model, format, settings.loadOptions(limits))
                 val found = FILES.fold(settings) { all, parameter ->
                     settings[parameter]?.let { all.with(parameter, archive.file("$it")) } ?: all
                 }
@@ -195,7 +203,8 @@ public class ModelArchive private constructor(
          * @param name name of the archive in messages
          * @param limits limits on what it can request: items, decoded bytes, temporary files, time
          * @param spool where the temporary folder is made
-         * @throws SceneFormatException if it is no archive, is damaged, exceeds a limit or is refused
+         * @throws SceneFormatException if it is no archive, is damaged, exceeds a limit or is refused; a
+         *   [SceneReadException] if temporary files cannot be written
          */
         @JvmStatic
         @JvmOverloads
@@ -214,22 +223,21 @@ public class ModelArchive private constructor(
             } catch (failure: IOException) {
                 throw SceneReadException(name, "there is no folder for its files: ${failure.message}", cause = failure)
             }
-            val space = SpoolSpace(spool, name, limits.spoolBytes)
+            val space = SpoolSpace(spool, name, limits.spoolBytes, instead = "")
             try {
                 for ((entry, file) in entries.zip(files)) unpack(archive, entry, folder.resolve(file), space)
             } catch (failure: Throwable) {
                 folder.toFile().deleteRecursively()
-                throw failure as? SceneFormatException ?: (failure as? IOException)?.let {
-                    val reason = (it as? FileSystemException)?.reason ?: it.message
-                    SceneReadException(name, "it cannot be unpacked: $reason", "pack it again", it)
-                } ?: failure
+                if (failure !is IOException || failure is SceneFormatException) throw failure
+                val reason = (failure as? FileSystemException)?.reason ?: failure.message
+                throw SceneReadException(name, "its files cannot be written: $reason", cause = failure)
             }
             return ModelArchive(folder, name, files)
         }
 
         private fun unpack(archive: ZipArchive, entry: String, file: Path, space: SpoolSpace) {
             Files.createDirectories(file.parent)
-            archive.open(entry, isAllCounted = true)?.use { input ->
+            archive.open(entry, isStrict = true)?.use { input ->
                 space.counting(Files.newOutputStream(file)).use { input.transferTo(it) }
             }
         }
@@ -243,8 +251,12 @@ public class ModelArchive private constructor(
             val all = HashSet<String>()
             val files = entries.map { entry ->
                 if (archive.isLink(entry)) refuse(name, "'$entry' is a link")
+                archive.requirePlain(entry)
                 val file = plain(entry)
                 val parts = file.split('/')
+                if (parts.any { it.toByteArray().size > LONGEST_NAME }) {
+                    refuse(name, "a name in '$entry' has more than $LONGEST_NAME bytes, as UTF-8", "shorten it")
+                }
                 if (isElsewhere(file, parts)) refuse(name, "'$entry' is no name of a file in an archive")
                 if (!all.add(file.lowercase())) refuse(name, "there are two files '$file'")
                 (1 until parts.size).mapTo(folders) { parts.take(it).joinToString("/").lowercase() }

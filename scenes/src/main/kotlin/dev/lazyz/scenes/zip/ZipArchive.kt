@@ -2,9 +2,11 @@ package dev.lazyz.scenes.zip
 
 import dev.lazyz.scenes.loading.Source
 import java.io.ByteArrayInputStream
+import java.io.IOException
 import java.io.InputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
+import java.util.zip.CRC32
 import java.util.zip.Inflater
 import java.util.zip.InflaterInputStream
 
@@ -19,6 +21,7 @@ internal class ZipArchive(private val source: Source) {
         val method: Int,
         val isEncrypted: Boolean,
         val isLink: Boolean,
+        val checksum: Long,
         val size: Long,
         val position: Long,
     )
@@ -40,13 +43,22 @@ internal class ZipArchive(private val source: Source) {
     /** Returns whether the file called [name] is a symbolic link. */
     fun isLink(name: String): Boolean = entries[key(name)]?.isLink == true
 
+    /** Fails if the file called [name] is encrypted. */
+    fun requirePlain(name: String) {
+        val entry = entries[key(name)] ?: return
+        if (entry.isEncrypted) source.fail(entry.name, "is encrypted", "save the model without a password")
+    }
+
     /**
      * Returns the decompressed bytes of the file called [name], or null if there is none. Bytes of compressed files
-     * count towards the limits as they are read, and those of others if [isAllCounted]: files may share their bytes.
+     * count towards the limits as they are read.
+     *
+     * @param isStrict whether the bytes of others count, too, as files may share them, and what cannot be decompressed,
+     *   or has another checksum, is a [dev.lazyz.scenes.SceneFormatException]
      */
-    fun open(name: String, isAllCounted: Boolean = false): InputStream? {
+    fun open(name: String, isStrict: Boolean = false): InputStream? {
         val entry = entries[key(name)] ?: return null
-        if (entry.isEncrypted) source.fail(entry.name, "is encrypted", "save the model without a password")
+        requirePlain(name)
         val start = entry.position
         if (start < 0 || start > buffer.limit() - LOCAL_HEADER || buffer.getInt(start.toInt()) != LOCAL_MARK) damaged()
         val at = start.toInt()
@@ -54,8 +66,8 @@ internal class ZipArchive(private val source: Source) {
         if (entry.size < 0 || entry.size > buffer.limit() - content) damaged()
         val packed = ByteArrayInputStream(source.bytes, content.toInt(), entry.size.toInt())
         return when (entry.method) {
-            STORED -> if (isAllCounted) Limited(source, packed) else packed
-            DEFLATED -> Limited(source, InflaterInputStream(packed, Inflater(true), CHUNK))
+            STORED -> if (isStrict) Limited(source, packed, entry) else packed
+            DEFLATED -> Limited(source, Inflated(packed), entry.takeIf { isStrict })
             else -> source.fail(entry.name, "is packed by method ${entry.method}", "pack it by method 8, deflate")
         }
     }
@@ -95,6 +107,7 @@ internal class ZipArchive(private val source: Source) {
         // Numbers that do not fit into 32 bits are in an extra field, in this order and only where needed: both sizes,
         // the position
         val length = buffer.getInt(at + 24).toLong() and MOST_INT
+        val checksum = buffer.getInt(at + 16).toLong() and MOST_INT
         var size = buffer.getInt(at + 20).toLong() and MOST_INT
         var position = buffer.getInt(at + 42).toLong() and MOST_INT
         var large = largeNumbers(at + DIRECTORY_HEADER + nameLength, extraLength) + (if (length == MOST_INT) 8 else 0)
@@ -105,7 +118,7 @@ internal class ZipArchive(private val source: Source) {
         if (position == MOST_INT) position = long(large)
         val isEncrypted = short(at + 8) and 1 != 0
         val isLink = short(at + 4) shr 8 == UNIX && short(at + 40) and FILE_TYPE == LINK
-        val entry = Entry(name, short(at + 10), isEncrypted, isLink, size, position)
+        val entry = Entry(name, short(at + 10), isEncrypted, isLink, checksum, size, position)
         if (entries.putIfAbsent(key(name), entry) != null) repeated = name
         return next
     }
@@ -130,13 +143,37 @@ internal class ZipArchive(private val source: Source) {
     private fun damaged(): Nothing =
         source.fail(null, "the ZIP archive's directory is damaged", "export or copy the model again")
 
-    /** Decompressed bytes. They are counted towards the limits as they are read. */
-    private class Limited(private val source: Source, private val decoded: InputStream) : InputStream() {
+    /** Decompressed bytes. Closing it frees the memory of the decompressor, too, which is outside the heap. */
+    private class Inflated(packed: InputStream) : InflaterInputStream(packed, Inflater(true), CHUNK) {
+        override fun close() {
+            super.close()
+            inf.end()
+        }
+    }
+
+    /** Decompressed bytes, of [strict] if they are checked. They are counted towards the limits as they are read. */
+    private class Limited(
+        private val source: Source,
+        private val decoded: InputStream,
+        private val strict: Entry?,
+    ) : InputStream() {
+        private val checksum = CRC32()
+
         override fun read(): Int = ByteArray(1).let { if (read(it, 0, 1) < 0) -1 else it[0].toInt() and 0xFF }
 
         override fun read(bytes: ByteArray, offset: Int, length: Int): Int {
-            val count = decoded.read(bytes, offset, minOf(length, CHUNK))
-            if (count > 0) source.loading.decode(source, count.toLong())
+            val count = try {
+                decoded.read(bytes, offset, minOf(length, CHUNK))
+            } catch (damaged: IOException) {
+                if (strict == null) throw damaged
+                source.fail(strict.name, "is damaged: ${damaged.message}", "pack it again", damaged)
+            }
+            if (count > 0) {
+                source.loading.decode(source, count.toLong())
+                if (strict != null) checksum.update(bytes, offset, count)
+            } else if (count < 0 && strict != null && checksum.value != strict.checksum) {
+                source.fail(strict.name, "is damaged: its checksum is another", "pack it again")
+            }
             return count
         }
 

@@ -1,9 +1,12 @@
 package dev.lazyz.scenes.streaming
 
+import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.scenes.writers.Locks
 import java.nio.file.Path
 import kotlin.io.path.listDirectoryEntries
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
@@ -26,5 +29,12 @@ class FloatSpoolTest {
                 assertEquals(emptyList<Path>(), folder.listDirectoryEntries())
             }
         }
+    }
+
+    @Test
+    fun aFullDiskIsNoFaultOfTheModel() {
+        val full = SpoolSpace(folder, "model", null, kept = Long.MAX_VALUE / 2)
+        val failure = assertThrows(SceneReadException::class.java) { full.take(1) }
+        assertTrue("model: needs temporary files, and only " in failure.message.orEmpty(), failure.message)
     }
 }

@@ -1,21 +1,28 @@
 package dev.lazyz.scenes.zip
 
 import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.ReferencePolicy
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneReadException
+import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
+import dev.lazyz.scenes.threemf.ThreeMfFiles
 import dev.lazyz.shared.PictureWords
 import dev.lazyz.world.surface.Mesh
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Random
+import kotlin.io.path.deleteExisting
 import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -40,8 +47,10 @@ class ModelArchiveTest {
         val refused = assertThrows(SceneFormatException::class.java, {
             open(zip, limits).use { it.load(model) }
         }, message)
+        assertFalse("binary STL" in refused.message.orEmpty(), refused.message)
         assertTrue(message in refused.message.orEmpty(), refused.message)
         assertFalse("$spool" in refused.message.orEmpty(), refused.message)
+        assertFalse(refused is SceneReadException, refused.message)
     }
 
     @Test
@@ -68,7 +77,8 @@ class ModelArchiveTest {
         Files.writeString(spool.resolve("lazyz-outside/b.mtl"), "newmtl b\nKd 1 0 0\n")
         try {
             val zip = RawZip().add("a.obj", obj("mtllib ../lazyz-outside/b.mtl\nusemtl b\nf 1 2 3\n")).bytes()
-            val loaded = open(zip).use { it.load() }
+            val options = LoadOptions(LoadLimits(references = ReferencePolicy.ANYWHERE))
+            val loaded = open(zip).use { it.load(options = options) }
             assertTrue(loaded.warnings.any { "lies outside the archive" in it }, "${loaded.warnings}")
             val scene = """{"asset": {"version": "2.0"},
                 "buffers": [{"byteLength": 12, "uri": "../lazyz-outside/b.mtl"}],
@@ -108,7 +118,13 @@ class ModelArchiveTest {
         }
         refused(RawZip().add("a.obj", obj()).add("A.obj/b.txt").bytes(), "'a.obj' is a file and a folder")
         refused(RawZip().add("a.obj", "/etc/passwd".toByteArray(), mode = 0xA1FF).bytes(), "'a.obj' is a link")
-        refused(RawZip().add("a.obj", obj(), flags = 1).bytes(), "is encrypted")
+
+        // Before there is a folder
+        val secret = RawZip().add("a.obj", obj()).add("b.obj", obj(), flags = 1).bytes()
+        val encrypted = assertThrows(SceneFormatException::class.java) {
+            ModelArchive.open(secret, "a.zip", LoadLimits(), spool.resolve("none"))
+        }
+        assertTrue("b.obj: is encrypted" in encrypted.message.orEmpty(), encrypted.message)
     }
 
     @Test
@@ -121,7 +137,9 @@ class ModelArchiveTest {
         val shared = RawZip().add("a.obj", ByteArray(1 shl 16))
         for (i in 1 until 1000) shared.add("b$i", ByteArray(1 shl 16), place = 0)
         refused(shared.bytes(), "decodedBytes", limits = few)
-        refused(shared.bytes(), "temporary files of more than 99999 bytes", limits = LoadLimits(spoolBytes = 99_999))
+        val room = LoadLimits(spoolBytes = 99_999)
+        val advice = "temporary files of more than 99999 bytes; raise LoadLimits.spoolBytes (zcli: --max-spool)"
+        refused(shared.bytes(), advice, limits = room)
 
         val many = RawZip()
         for (i in 1..100_000) many.add("$i")
@@ -133,7 +151,9 @@ class ModelArchiveTest {
         refused(RawZip().add("a.obj", obj(), place = 1 shl 30).bytes(), "directory is damaged")
         refused(RawZip().add("a.obj", obj()).bytes().copyOf(60), "no ZIP archive, or is cut short")
         val damaged = RawZip().add("a.obj", zeros, isPacked = true).bytes().also { it[40] = 7 }
-        refused(damaged, "it cannot be unpacked")
+        refused(damaged, "a.zip, a.obj: is damaged: invalid")
+        val other = RawZip().add("a.obj", obj()).bytes().also { it[37] = '7'.code.toByte() }
+        refused(other, "a.zip, a.obj: is damaged: its checksum is another; pack it again")
         Thread.currentThread().interrupt()
         refused(RawZip().add("a.obj", zeros, isPacked = true).bytes(), "interrupted")
         assertTrue(Thread.interrupted())
@@ -158,7 +178,8 @@ class ModelArchiveTest {
             }
         }
         assertTrue(read in 20..480, "$read")
-        refused(RawZip().add("\u6728".repeat(240), obj()).bytes(), "it cannot be unpacked")
+        val long = RawZip().add("a/" + "\u6728".repeat(86), obj()).bytes()
+        refused(long, "has more than 255 bytes, as UTF-8; shorten it")
     }
 
     @Test
@@ -167,11 +188,18 @@ class ModelArchiveTest {
         val zip = RawZip().add("a.obj", obj()).add("picture.png", picture).bytes()
         fun read(bytes: ByteArray, asked: PictureSettings, model: String? = null, format: SceneFormat? = null) =
             ModelArchive.read(bytes, format, "model", model, asked, LoadLimits()) { loaded, found ->
-                found[PictureParameters.MATCAP].also { found.frame(loaded) }
+                found[PictureParameters.MATCAP].also { file ->
+                    val observer = PictureObserver()
+                    found.frame(loaded, observer = observer)
+
+                    // An observer reads it once
+                    file?.deleteExisting()
+                    found.frame(loaded, observer = observer)
+                }
             }
         val file = read(zip, settings)!!
         assertEquals("picture.png", "${file.fileName}")
-        assertFalse(file.exists())
+        assertFalse(file.parent.exists())
         val outside = settings.withWord(PictureParameters.MATCAP, "${spool.toAbsolutePath()}")
         val absent = assertThrows(SceneFormatException::class.java) { read(zip, outside) }
         assertTrue("there is no file '" in absent.message.orEmpty(), absent.message)
@@ -185,6 +213,12 @@ class ModelArchiveTest {
         assertTrue("'model' has no effect" in named.message.orEmpty(), named.message)
         read(obj(), PictureSettings())
         read(zip, PictureSettings(), "a.obj", SceneFormat.OBJ)
+
+        // A 3MF file in an archive is a model like others
+        val mesh = "<object id=\"1\">${ThreeMfFiles.TRIANGLE}</object>"
+        val part = ThreeMfFiles.of(ThreeMfFiles.model(mesh, "<item objectid=\"1\"/>"))
+        val packed = RawZip().add("part.3mf", part).bytes()
+        assertNull(read(packed, PictureSettings(), format = SceneFormat.THREE_MF))
         assertFalse(ModelArchive.isOne(RawZip().add("_rels/.rels").bytes()))
         assertFalse(ModelArchive.isOne(obj()))
         assertThrows(SceneFormatException::class.java) { read("?".toByteArray(), PictureSettings()) }

@@ -3,6 +3,7 @@ package dev.lazyz.scenes.zip
 import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
+import java.util.zip.CRC32
 import java.util.zip.Deflater
 
 /** Writes ZIP archives as no usual program does. */
@@ -29,6 +30,7 @@ internal class RawZip {
         val at = place ?: content.size()
         val text = name.toByteArray()
         val method = if (isPacked) 8 else 0
+        val checksum = CRC32().also { it.update(bytes) }.value.toInt()
         if (place == null) {
             content.write(
                 numbers(30) {
@@ -43,7 +45,7 @@ internal class RawZip {
             numbers(46) {
                 putInt(0x02014B50).putShort((3 shl 8 or 20).toShort()).putShort(20).putShort(flags.toShort())
                 putShort(method.toShort())
-                position(20).putInt(packed.size).putInt(bytes.size).putShort(text.size.toShort())
+                position(16).putInt(checksum).putInt(packed.size).putInt(bytes.size).putShort(text.size.toShort())
                 position(38).putInt(mode shl 16).putInt(at)
             },
         )

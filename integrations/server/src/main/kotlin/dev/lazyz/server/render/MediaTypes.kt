@@ -19,7 +19,7 @@ internal object MediaTypes {
     /** Types that say nothing about the format. The last is what curl sends by default. */
     private val unspecific = setOf(
         "", "application/octet-stream", "binary/octet-stream", "text/plain", "application/json", "application/zip",
-        "application/x-www-form-urlencoded",
+        "application/x-zip-compressed", "application/x-www-form-urlencoded",
     )
 
     /**

@@ -50,14 +50,12 @@ internal class PictureOutput(private val file: OutputStream, private val request
         }
 
     /** Names what was written by pixels or data; width and height are no part of the hash. Call it once, at the end. */
-    val tag: String
-        get() {
-            val turn = request.steps?.let { listOf(it, request.framesPerSecond) }.orEmpty()
-            val words = request.aovs.sorted().map(Aov::id) + request.views.map { it.name.lowercase() }
-            val digest = if (request.aovs.isEmpty()) hash.digest() else HexFormat.of().formatHex(data.digest())
-            val parts = listOf(size, digest) + turn + words
-            return parts.joinToString("-")
-        }
+    fun tag(): String {
+        val turn = request.steps?.let { listOf(it, request.framesPerSecond) }.orEmpty()
+        val words = request.aovs.sorted().map(Aov::id) + request.views.map { it.name.lowercase() }
+        val digest = if (request.aovs.isEmpty()) hash.digest() else HexFormat.of().formatHex(data.digest())
+        return (listOf(size, digest) + turn + words).joinToString("-")
+    }
 
     /** Renders [frame], which is the next picture. */
     fun add(frame: PictureFrame, renderer: Renderer) {

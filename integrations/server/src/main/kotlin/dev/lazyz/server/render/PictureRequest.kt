@@ -53,8 +53,10 @@ internal class PictureRequest private constructor(
         /** Shows what is possible for every model of a size: some have further obstacles. */
         private val NOTHING = Scene(emptyList())
 
-        /** Characters of the longest value that has a meaning, and more. */
+        /** Characters of the longest value that has a meaning, and more; of names in an archive, the most. */
         private const val LONGEST = 100
+        private const val LONGEST_FILE = 250
+        private val FILES = setOf("model", PictureParameters.TEXTURE.name, PictureParameters.MATCAP.name)
 
         /** Parameters beside those of pictures, each with its form and what it does. */
         val OWN: Map<String, Pair<String, String>> = mapOf(
@@ -83,7 +85,8 @@ internal class PictureRequest private constructor(
          */
         fun of(query: Map<String, List<String>>, mostPixels: Long): PictureRequest {
             for ((name, values) in query) {
-                if (values.any { it.length > LONGEST }) fail("$name: a value has at most $LONGEST characters")
+                val most = if (name in FILES) LONGEST_FILE else LONGEST
+                if (values.any { it.length > most }) fail("$name: a value has at most $most characters")
             }
             val words = (query - OWN.keys).flatMap { (name, values) -> values.map { name to it } }
             val settings = try {

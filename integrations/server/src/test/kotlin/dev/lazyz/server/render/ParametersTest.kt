@@ -2,6 +2,7 @@ package dev.lazyz.server.render
 
 import dev.lazyz.aov.Aov
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.aov.AovFiles
@@ -21,6 +22,10 @@ import dev.lazyz.world.View
 import java.io.ByteArrayOutputStream
 import java.net.URLEncoder
 import java.nio.file.Path
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.logging.Handler
+import java.util.logging.LogRecord
+import java.util.logging.Logger
 import java.util.zip.ZipEntry
 import java.util.zip.ZipOutputStream
 import javax.imageio.ImageIO
@@ -135,6 +140,51 @@ class ParametersTest {
         refused(422, "no file in it is a model", "", zip("a.png" to ""))
         refused(422, "", "format=3mf", zip("a.obj" to WEDGE))
         refused(400, "a scene is no model", "format=scene", zip("a.obj" to WEDGE))
+        refused(422, "there is no file '${"d".repeat(250)}'", "model=${"d".repeat(250)}", two)
+        refused(400, "matcap: a value has at most 250 characters", "matcap=${"d".repeat(251)}", two)
+    }
+
+    /** What is wrong with an archive is no fault of the server. */
+    @Test
+    fun damagedArchivesAreAnsweredWithoutABug() {
+        val bugs = ConcurrentLinkedQueue<LogRecord>()
+        val handler = object : Handler() {
+            override fun publish(record: LogRecord) {
+                bugs += record
+            }
+
+            override fun flush() = Unit
+
+            override fun close() = Unit
+        }
+        val logger = Logger.getLogger("dev.lazyz.server").also { it.addHandler(handler) }
+        try {
+            val archive = PictureWords.archive(WEDGE.toByteArray())
+            for (at in listOf(40, 44, 50)) {
+                val damaged = archive.clone().also { it[at] = (it[at] + 0x55).toByte() }
+                val answer = client.post("/render?size=8", damaged)
+                val text = answer.body().decodeToString()
+                assertEquals(422, answer.statusCode()) { text }
+                assertTrue("is damaged: " in text) { text }
+            }
+            assertEquals(emptyList<LogRecord>(), bugs.toList())
+        } finally {
+            logger.removeHandler(handler)
+        }
+    }
+
+    /** Each of them can have as much as the model. */
+    @Test
+    fun texturesAndMatcapsArePartOfThePlan() {
+        val most = 1L shl 20
+        val archive = PictureWords.archive(WEDGE.toByteArray())
+        fun need(vararg words: Pair<String, String>): Long {
+            val query = (words.toMap() + ("size" to "8")).mapValues { listOf(it.value) }
+            val needs = ArrayList<Long>()
+            PictureMaker(LoadLimits(), most).picture(archive, null, PictureRequest.of(query, 64), 0, needs::add)
+            return needs.first()
+        }
+        assertEquals(most, need("matcap" to "picture.png") - need())
     }
 
     /** The bytes are those that the library writes. */

@@ -4,8 +4,6 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.ReferencePolicy
-import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.zip.ModelArchive
 import dev.lazyz.strategies.tiled.TiledRenderer
@@ -40,17 +38,13 @@ internal class ModelPicture(limits: LoadLimits) {
         PictureColumns.failure(name, words, e.message ?: e.toString())
     }
 
-    private fun picture(name: String, bytes: ByteArray, wish: PictureOptions): Row {
-        val isArchive = wish.format != SceneFormat.THREE_MF && ModelArchive.isOne(bytes, limits)
-        val format = wish.format ?: if (isArchive) null else SceneFormat.ofFileName(name) ?: Scenes.formatOf(bytes)
-        require(isArchive || format != null) { "$name: no known format; state it, such as format=stl" }
-        return ModelArchive.read(bytes, format, name, wish.model, wish.settings(), limits) { loaded, settings ->
+    private fun picture(name: String, bytes: ByteArray, wish: PictureOptions): Row =
+        ModelArchive.read(bytes, wish.format, name, wish.model, wish.settings(), limits) { loaded, settings ->
             val observer = PictureObserver(name, limits)
             val frame = settings.frame(loaded, options, observer)
             val warnings = loaded.warnings + observer.warnings
             PictureColumns.row(name, wish, frame.render(renderer), frame.isCropped, warnings)
         }
-    }
 
     companion object {
         /** Bytes of heap for each byte of decoded data while a model is read and rendered, see docs/server.md. */
