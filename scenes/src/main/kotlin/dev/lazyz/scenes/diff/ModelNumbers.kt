@@ -2,6 +2,7 @@ package dev.lazyz.scenes.diff
 
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.DistinctTriples
+import dev.lazyz.scenes.pictures.refuse
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
@@ -86,7 +87,7 @@ public class ModelNumbers internal constructor(surfaces: List<Surface>) {
 
 /** Adds up the triangles of [meshes]; those that are not finite are left out. Memory: 40 bytes a triangle. */
 private class Triangles(private val meshes: List<Mesh>, private val center: Vector3d) {
-    private val areas = DoubleArray(meshes.sumOf { it.triangleCount })
+    private val areas = DoubleArray(size(meshes.sumOf { it.triangleCount.toLong() }))
     private val volumes = DoubleArray(areas.size)
     private val points = DistinctTriples()
 
@@ -163,6 +164,14 @@ private class Triangles(private val meshes: List<Mesh>, private val center: Vect
     }
 
     private companion object {
+        /** Triangles whose edges an array can have. */
+        const val MOST = (Int.MAX_VALUE - 8) / 3
+
+        fun size(triangles: Long): Int {
+            if (triangles > MOST) refuse("models are compared up to $MOST triangles, and one has $triangles")
+            return triangles.toInt()
+        }
+
         /** Triangles between two looks at the interrupt, as a mask of places. */
         const val LOOK = (1 shl 16) - 1
     }

@@ -29,6 +29,9 @@ import org.joml.Vector3dc
  * The table of all that can be chosen about one picture of a file, see `docs/parameters.md`. A row is a property of
  * [PictureSettings], an option of `zcli`, and a parameter of the other doors, unless [PictureParameter.missing] says
  * why not.
+ *
+ * What a parameter does, its range and its default are in [PictureParameter.text], as users read them. In Java, a value
+ * has exactly the type of its parameter: `settings.with(PictureParameters.AZIMUTH, 60.0)`, not `60`.
  */
 public object PictureParameters {
     private val rows = ArrayList<PictureParameter<*>>()
@@ -389,7 +392,10 @@ public object PictureParameters {
     public val HIDDEN_COLOR: PictureParameter<Rgba> =
         row("hidden-color", colors, "Colour of hidden lines, opaque", "grey")
 
-    /** Planes that cut. */
+    /**
+     * Planes that cut. [PictureSettings.with] replaces those that were chosen before; [PictureSettings.withWord] adds
+     * one.
+     */
     @JvmField
     public val CUT: PictureParameter<List<CutPlane>> = row(
         "cut", CutValues(),
@@ -408,7 +414,7 @@ public object PictureParameters {
         group = ParameterGroup.PAPER
     }
 
-    /** Lengths on paper. */
+    /** Lengths on paper. It is for [PictureSettings.drawing] alone: pictures of pixels are the same with each. */
     @JvmField
     public val SCALE: PictureParameter<DrawingScale> = row(
         "scale", ScaleValues(),
@@ -418,7 +424,7 @@ public object PictureParameters {
         file = "whoever renders decides",
     )
 
-    /** The unit of lengths in the model. */
+    /** The unit of lengths in the model, for [SCALE], and for drawings alone as well. */
     @JvmField
     public val UNIT: PictureParameter<LengthUnit> = row(
         "unit", NamedValues("UNIT", LengthUnit.entries.associateBy { it.symbol }),

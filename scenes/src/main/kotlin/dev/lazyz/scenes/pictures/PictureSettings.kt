@@ -6,6 +6,7 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.Scene
 import dev.lazyz.world.Viewpoint
 import dev.lazyz.world.material.Material.Shading
@@ -17,6 +18,15 @@ import dev.lazyz.world.material.Material.Shading
  * ```
  * val settings = PictureSettings(640, 480).with(PictureParameters.VIEW, View.ISO).with(PictureParameters.EDGES, true)
  * settings.frame(Scenes.load(path)).render(TiledRenderer()).writePng(output)
+ * ```
+ *
+ * In Java:
+ *
+ * ```java
+ * PictureSettings settings = new PictureSettings(640, 480)
+ *     .with(PictureParameters.VIEW, View.ISO).with(PictureParameters.EDGES, true);
+ * LoadedScene loaded = Scenes.load(path, settings.loadOptions(new LoadLimits()));
+ * Images.writePng(settings.frame(loaded).render(new TiledRenderer()), output);
  * ```
  *
  * What can be chosen are the [PictureParameters]. What is not chosen has a default, which can depend on the file.
@@ -62,7 +72,7 @@ public class PictureSettings private constructor(
     public operator fun <T : Any> get(parameter: PictureParameter<T>): T? = given[parameter] as T?
 
     /**
-     * Returns these settings with a [value] of [parameter].
+     * Returns these settings with a [value] of [parameter], in place of earlier ones.
      *
      * @throws IllegalArgumentException if it is out of range
      */
@@ -76,8 +86,8 @@ public class PictureSettings private constructor(
     }
 
     /**
-     * Returns these settings with the value of [parameter] that [word] means. A parameter that can be repeated keeps
-     * its earlier values.
+     * Returns these settings with the value of [parameter] that [word] means. A parameter that can be repeated, which
+     * is [PictureParameters.CUT], keeps its earlier values, too.
      *
      * @throws IllegalArgumentException if it means none; the message is for the user
      */
@@ -195,12 +205,21 @@ public class PictureSettings private constructor(
     internal fun firstGiven(vararg parameters: PictureParameter<*>?): String? =
         parameters.firstOrNull { it in given }?.let { names.of(it!!) }
 
-    /** Returns how to read the file, within [limits]. */
+    /** Returns how to read the file, within [limits]: at the [PictureParameters.ANIMATION_TIME]. */
     public fun loadOptions(limits: LoadLimits): LoadOptions =
         LoadOptions(limits, this[PictureParameters.ANIMATION_TIME])
 
     /**
-     * Checks that no two parameters exclude each other.
+     * Checks that no two parameters exclude each other:
+     * - a matcap, which replaces materials and light, and shading, texture, light and its intensity, ambient occlusion,
+     *   tone curve or exposure;
+     * - ambient occlusion, and flat or Gouraud shading;
+     * - the camera of the file, and a view, azimuth, elevation, projection or margin; an eye, and these without the
+     *   projection;
+     * - edges and a wireframe; a wireframe and the angle of creases.
+     *
+     * It also checks that there is what others need: edges or a wireframe for their looks, dashed or solid hidden lines
+     * for their colour, a cut for the colour of caps, a scale for a unit.
      *
      * @throws NoPictureException otherwise
      */
@@ -250,7 +269,8 @@ public class PictureSettings private constructor(
     }
 
     /**
-     * Sets up the picture of [loaded], which is what `zcli render` renders with these settings, bit for bit.
+     * Sets up the picture of [loaded], which is what `zcli render` renders with these settings, bit for bit, if it was
+     * loaded with [loadOptions]. The [PictureParameters.FORMAT] has no effect here: pass it to [Scenes.load].
      *
      * @param options the threads of set-up, see [Scene.frame]
      * @param observer is told what happens

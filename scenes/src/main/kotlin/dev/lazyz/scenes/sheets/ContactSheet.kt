@@ -54,7 +54,7 @@ public class ContactSheet(
     /** Whether no picture has arrived. */
     public val isEmpty: Boolean get() = cells.all { it == null }
 
-    /** Sets why there is no picture for a cell, for which it is shown instead. */
+    /** Says why a cell has no picture. The [reason] is shown in its place, as far as there is room. */
     public fun fail(number: Int, reason: String) {
         synchronized(cells) { reasons[number] = reason }
     }

@@ -6,6 +6,7 @@ import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.diff.ModelDifference.Change
 import dev.lazyz.scenes.pictures.CutPlane
+import dev.lazyz.scenes.pictures.NoPictureException
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
@@ -184,6 +185,14 @@ class ModelDifferenceTest {
         assertNull(parts[3].after)
         assertNull(parts[4].before)
         assertNull(parts[4].difference(Measure.AREA))
+    }
+
+    /** There are so many because one mesh is there 2400 times. */
+    @Test
+    fun moreTrianglesThanAnArrayHasEdgesAreRefused() {
+        val mesh = Mesh(FloatArray(3), IntArray(900_000))
+        val refused = assertThrows(NoPictureException::class.java) { ModelNumbers(List(2400) { mesh }) }
+        assertEquals("models are compared up to 715827879 triangles, and one has 720000000", refused.message)
     }
 
     private companion object {
