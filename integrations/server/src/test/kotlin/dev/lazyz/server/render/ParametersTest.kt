@@ -140,7 +140,7 @@ class ParametersTest {
         refused(422, "no file in it is a model", "", zip("a.png" to ""))
         refused(422, "", "format=3mf", zip("a.obj" to WEDGE))
         refused(400, "a scene is no model", "format=scene", zip("a.obj" to WEDGE))
-        refused(422, "there is no file '${"d".repeat(250)}'", "model=${"d".repeat(250)}", two)
+        refused(422, "there is no file '${"d".repeat(150)}'", "model=${"d".repeat(150)}", two)
         refused(400, "matcap: a value has at most 250 characters", "matcap=${"d".repeat(251)}", two)
     }
 
