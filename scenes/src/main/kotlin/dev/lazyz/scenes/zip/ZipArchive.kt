@@ -152,11 +152,8 @@ internal class ZipArchive(private val source: Source) {
     }
 
     /** Decompressed bytes, of [strict] if they are checked. They are counted towards the limits as they are read. */
-    private class Limited(
-        private val source: Source,
-        private val decoded: InputStream,
-        private val strict: Entry?,
-    ) : InputStream() {
+    private class Limited(private val source: Source, private val decoded: InputStream, private val strict: Entry?,) :
+        InputStream() {
         private val checksum = CRC32()
 
         override fun read(): Int = ByteArray(1).let { if (read(it, 0, 1) < 0) -1 else it[0].toInt() and 0xFF }
