@@ -24,7 +24,12 @@ internal class Pixelated(private val renderer: Renderer, private val side: Int, 
         if (left >= right || top >= bottom) return renderer.render(frame, sink)
         val whole = Region(left, top, right, bottom)
         val rows = Rows(region, sink)
-        val counters = SuperSampling(side, rate = rate).of(frame.within(whole)).render(renderer) { y, argb, depth, index ->
+        val counters = SuperSampling(side, rate = rate).of(frame.within(whole)).render(renderer) {
+                y,
+                argb,
+                depth,
+                index
+            ->
             rows.passUntil(side * y)
             for (x in 0 until whole.width) {
                 rows.set(whole.columnStart - region.columnStart + x, argb[x / side], depth[x / side], index[x / side])

@@ -80,7 +80,8 @@ public sealed interface ShadingRules : RulesForOne {
     /** Pixels are the means of their samples, whether a renderer adds them up itself or its rows are filtered. */
     @Rule(
         intent = "Several samples a pixel give the same pixels, whichever way the renderer takes.",
-        look = "If the renderer overrides renderPixels: sums in linear light, weighted by alpha, for all samples of the " +
+        look =
+        "If the renderer overrides renderPixels: sums in linear light, weighted by alpha, for all samples of the " +
             "pixel; depth and primitive of its nearest sample.",
         about = [Symptom.COLOR],
         isSpecial = true,

@@ -159,8 +159,14 @@ internal class WaitingFragments {
     /** Attributes and colours of the fragments. Their number and their samples are set by [locate]. */
     val batch: FragmentBatch = FragmentBatch(FragmentBatch.ROOM)
 
-    /** The sample of each fragment, see [PrimitiveRuns.place], and for how many samples of the row from there it is. */
+    /** The sample of each fragment, see [PrimitiveRuns.place]. */
     val places: IntArray = IntArray(FragmentBatch.CAPACITY)
+
+    /** Whether any fragment is shaded elsewhere than at its sample, or stands for more samples than that. */
+    var isMoved: Boolean = false
+        private set
+
+    /** If so, for how many samples of the row each fragment is. */
     val lengths: IntArray = IntArray(FragmentBatch.CAPACITY)
 
     /** Where they are shaded: columns and rows within the tile, multiples of a grid unit, as doubles for arithmetic. */
@@ -184,17 +190,22 @@ internal class WaitingFragments {
         if (length < LONG) {
             for (i in 0 until length) {
                 places[size + i] = start + i
-                lengths[size + i] = 1
                 columns[size + i] = COLUMNS[column + i]
                 rows[size + i] = row
             }
         } else {
             for (i in 0 until length) places[size + i] = start + i
-            lengths.fill(1, size, size + length)
             System.arraycopy(COLUMNS, column, columns, size, length)
             rows.fill(row, size, size + length)
         }
+        if (isMoved) lengths.fill(1, size, size + length)
         size += length
+    }
+
+    private fun move() {
+        if (isMoved) return
+        isMoved = true
+        lengths.fill(1, 0, size)
     }
 
     /**
@@ -202,6 +213,7 @@ internal class WaitingFragments {
      * pixel whose first sample is at column [left] and row [top] of the tile.
      */
     fun add(start: Int, length: Int, left: Int, top: Int, point: Int) {
+        move()
         places[size] = start
         lengths[size] = length
         columns[size] = left + ShadingPoints.right(point) * GRID
@@ -218,6 +230,7 @@ internal class WaitingFragments {
 
     /** Adds the centres of [count] pixels of [side] samples, from the one whose first sample is at [start]. */
     fun addPixels(start: Int, count: Int, side: Int) {
+        move()
         val column = PrimitiveRuns.column(start) + 0.5 * (side - 1)
         for (i in 0 until count) places[size + i] = start + side * i
         for (i in 0 until count) columns[size + i] = column + side * i
@@ -227,10 +240,14 @@ internal class WaitingFragments {
     }
 
     /** How far fragment [i] is right of column 0 of the raster, in grid units, if the tile starts at column [x]. */
-    fun gridX(i: Int, x: Int): Int = ScreenGrid.STEPS * x + (ScreenGrid.STEPS * columns[i]).toInt()
+    fun gridX(i: Int, x: Int): Int =
+        ScreenGrid.STEPS * x +
+            if (isMoved) (ScreenGrid.STEPS * columns[i]).toInt() else ScreenGrid.STEPS * PrimitiveRuns.column(places[i])
 
     /** How far fragment [i] is below row 0 of the raster, in grid units, if the tile starts at row [y]. */
-    fun gridY(i: Int, y: Int): Int = ScreenGrid.STEPS * y + (ScreenGrid.STEPS * rows[i]).toInt()
+    fun gridY(i: Int, y: Int): Int =
+        ScreenGrid.STEPS * y +
+            if (isMoved) (ScreenGrid.STEPS * rows[i]).toInt() else ScreenGrid.STEPS * PrimitiveRuns.row(places[i])
 
     /** Completes the [batch], for a tile whose first sample is ([x], [y]). */
     fun locate(x: Int, y: Int) {
@@ -245,6 +262,7 @@ internal class WaitingFragments {
     fun takeOut(argb: IntArray, sink: FragmentSink) {
         sink.store(this, argb)
         size = 0
+        isMoved = false
     }
 
     private companion object {

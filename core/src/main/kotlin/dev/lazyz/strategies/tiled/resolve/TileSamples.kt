@@ -80,11 +80,10 @@ internal class TileSamples(
     override fun store(fragments: WaitingFragments, argb: IntArray) {
         for (i in 0 until fragments.size) {
             val place = fragments.places[i]
-            val length = fragments.lengths[i]
-            if (length == 1) {
-                band.argb[PrimitiveRuns.row(place)][toColumn + PrimitiveRuns.column(place)] = argb[i]
+            if (fragments.isMoved) {
+                fill(place, fragments.lengths[i], argb[i])
             } else {
-                fill(place, length, argb[i])
+                band.argb[PrimitiveRuns.row(place)][toColumn + PrimitiveRuns.column(place)] = argb[i]
             }
         }
     }
