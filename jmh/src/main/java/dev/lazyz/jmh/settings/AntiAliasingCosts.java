@@ -2,6 +2,7 @@ package dev.lazyz.jmh.settings;
 
 import dev.lazyz.Image;
 import dev.lazyz.Raster;
+import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
 import dev.lazyz.ShadingRate;
 import dev.lazyz.filter.SampledFrame;
@@ -12,6 +13,8 @@ import dev.lazyz.scenes.Scenes;
 import dev.lazyz.strategies.tiled.TiledRenderer;
 import dev.lazyz.world.Scene;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -23,8 +26,8 @@ import java.util.Map;
  * Measures error and time of the settings of anti-aliasing, and writes the table of {@code docs/anti-aliasing.md}.
  *
  * <p>The truth is a picture with 64 x 64 samples a pixel and the same filter. The error is the root of the mean squared
- * difference of red, green and blue, in sRGB codes. Time is for rendering a frame, without set-up: the least of some
- * runs, divided by that with one sample a pixel.
+ * difference of red, green and blue, in sRGB codes. Time is processor time of one thread for rendering a frame, without
+ * set-up: the least of some runs, divided by that with one sample a pixel.
  */
 public final class AntiAliasingCosts {
     private static final List<String> SCENES = List.of("teapot", "city", "plane");
@@ -36,7 +39,7 @@ public final class AntiAliasingCosts {
     /** Least time for the runs of a setting, nanoseconds: Java's compilers must have finished before the last one. */
     private static final long LEAST_TIME = 1_500_000_000L;
 
-    private static final Renderer RENDERER = new TiledRenderer();
+    private static final Renderer RENDERER = new TiledRenderer(new RenderOptions().withThreads(1));
 
     private AntiAliasingCosts() {}
 
@@ -97,14 +100,15 @@ public final class AntiAliasingCosts {
         return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    /** Returns the least time of a rendering, in nanoseconds. */
+    /** Returns the least processor time of a rendering, in nanoseconds. */
     private static double time(SampledFrame frame) throws InterruptedException {
         double least = Double.MAX_VALUE;
-        long end = System.nanoTime() + LEAST_TIME;
-        for (int run = 0; run < RUNS || System.nanoTime() < end; run++) {
-            long start = System.nanoTime();
+        ThreadMXBean clock = ManagementFactory.getThreadMXBean();
+        long end = clock.getCurrentThreadCpuTime() + LEAST_TIME;
+        for (int run = 0; run < RUNS || clock.getCurrentThreadCpuTime() < end; run++) {
+            long start = clock.getCurrentThreadCpuTime();
             frame.render(RENDERER);
-            least = Math.min(least, System.nanoTime() - start);
+            least = Math.min(least, clock.getCurrentThreadCpuTime() - start);
         }
         return least;
     }
