@@ -110,7 +110,7 @@ public object PictureParameters {
     @JvmField
     public val SHADING_RATE: PictureParameter<ShadingRate> = row(
         "shading-rate", named("RATE", ShadingRate.entries),
-        "Shade primitives at every sample, or once in each pixel, or, with auto, once where their material varies little",
+        "Shade primitives at every sample, once in each pixel, or as their material needs: sample, pixel or auto",
         "auto, or pixel with --ambient-occlusion",
         file = "whoever renders decides",
     )
