@@ -145,7 +145,9 @@ internal fun opaqueNeeded(index: Int, renderer: Renderer) = IllegalArgumentExcep
 )
 
 /** An opaque version of a translucent primitive: the same coverage, depth and light, with alpha 1. */
-internal class OpaquePrimitive(val whole: Primitive) : Primitive by whole {
+internal class OpaquePrimitive(override val whole: Primitive) :
+    ChangedPrimitive,
+    Primitive by whole {
     override val isTranslucent: Boolean get() = false
 
     override fun shade(fragment: Fragment) {

@@ -147,6 +147,11 @@ internal object EmptyPrimitive : Primitive {
     override fun toString(): String = "EmptyPrimitive"
 }
 
+/** A primitive that is [whole], with a part of its coverage, or with other colours or shading. */
+internal interface ChangedPrimitive : Primitive {
+    val whole: Primitive
+}
+
 /** A primitive with the coverage and depth of [whole], whose colour is not computed: black. */
 internal class UnshadedPrimitive(private val whole: Primitive) : Primitive by whole {
     override val shadingStartCost: Int get() = 0
@@ -161,7 +166,11 @@ internal class UnshadedPrimitive(private val whole: Primitive) : Primitive by wh
 }
 
 /** A primitive like [whole], with the submission index [index], which reports each shading call to [observer]. */
-internal class ObservedPrimitive(val whole: Primitive, private val index: Int, private val observer: ShadingObserver) :
+internal class ObservedPrimitive(
+    override val whole: Primitive,
+    private val index: Int,
+    private val observer: ShadingObserver,
+) : ChangedPrimitive,
     Primitive by whole {
     override fun shade(fragment: Fragment) {
         observer.shading(fragment.x, fragment.y, index)

@@ -1,13 +1,13 @@
 package dev.lazyz.setup
 
+import dev.lazyz.ChangedPrimitive
 import dev.lazyz.HeapLayout
-import dev.lazyz.ObservedPrimitive
-import dev.lazyz.OpaquePrimitive
 import dev.lazyz.Primitive
 import dev.lazyz.PrimitiveShading
 import dev.lazyz.ShadingRate
 import dev.lazyz.raster.EdgeForms
 import dev.lazyz.raster.ScreenGrid
+import dev.lazyz.shading.MaskedPrimitive
 import dev.lazyz.shading.MaterialShader
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Shader
@@ -114,7 +114,9 @@ internal class ShadingPoints(val side: Int, private val rate: ShadingRate) : Pri
 }
 
 /** A primitive like [whole] that has one colour in each pixel, that of its shading point. */
-internal class PixelShadedPrimitive(val whole: Primitive, private val points: ShadingPoints) : Primitive by whole {
+internal class PixelShadedPrimitive(override val whole: Primitive, val points: ShadingPoints) :
+    ChangedPrimitive,
+    Primitive by whole {
     private val triangle = whole.triangle()
 
     override val heldBytes: Long get() = whole.heldBytes + HeapLayout.HEADER + 3 * HeapLayout.REFERENCE
@@ -160,7 +162,7 @@ internal class PixelShadedPrimitive(val whole: Primitive, private val points: Sh
 /** Returns the triangle that this primitive is, or that it changes; null if it is no triangle. */
 private fun Primitive.triangle(): PlanarPrimitive? = when (this) {
     is PlanarPrimitive -> takeIf { isTriangle }
-    is OpaquePrimitive -> whole.triangle()
-    is ObservedPrimitive -> whole.triangle()
+    is MaskedPrimitive -> null
+    is ChangedPrimitive -> whole.triangle()
     else -> null
 }

@@ -1,12 +1,10 @@
 package dev.lazyz.setup
 
+import dev.lazyz.ChangedPrimitive
 import dev.lazyz.Checkpoint
 import dev.lazyz.FrameContent
-import dev.lazyz.ObservedPrimitive
-import dev.lazyz.OpaquePrimitive
 import dev.lazyz.Primitive
 import dev.lazyz.PrimitiveBatch
-import dev.lazyz.shading.MaskedPrimitive
 import dev.lazyz.shading.Vertices
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
@@ -87,9 +85,6 @@ internal fun FrameContent.triangleBatchWith(index: Int): TriangleBatch = triangl
 /** The vertices that this primitive references and shares with others, or null if it is known to share none. */
 internal fun Primitive.sharedVertices(): Vertices? = when (this) {
     is PlanarPrimitive -> vertices
-    is MaskedPrimitive -> whole.sharedVertices()
-    is OpaquePrimitive -> whole.sharedVertices()
-    is ObservedPrimitive -> whole.sharedVertices()
-    is PixelShadedPrimitive -> whole.sharedVertices()
+    is ChangedPrimitive -> whole.sharedVertices()
     else -> null
 }

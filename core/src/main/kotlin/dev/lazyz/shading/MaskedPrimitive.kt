@@ -1,6 +1,6 @@
 package dev.lazyz.shading
 
-import dev.lazyz.Primitive
+import dev.lazyz.ChangedPrimitive
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.LinearForm
 import dev.lazyz.spi.ShadingCursor
@@ -13,10 +13,10 @@ import dev.lazyz.spi.Spans
  * compared by depth. Cost: one texture lookup for each covered sample of each requested row.
  */
 internal class MaskedPrimitive(
-    val whole: AttributedPrimitive,
+    override val whole: AttributedPrimitive,
     private val shader: MaterialShader,
     private val cutoff: Float,
-) : Primitive {
+) : ChangedPrimitive {
     override val rowStart: Int get() = whole.rowStart
     override val rowEnd: Int get() = whole.rowEnd
     override val columnStart: Int get() = whole.columnStart

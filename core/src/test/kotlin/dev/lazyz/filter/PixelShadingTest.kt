@@ -1,8 +1,11 @@
 package dev.lazyz.filter
 
+import dev.lazyz.Frame
+import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
+import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.ShadingRate
 import dev.lazyz.filter.SuperSampling.PixelFilter
@@ -219,6 +222,19 @@ class PixelShadingTest {
             }
         }
     }
+
+    /** Where a primitive is shaded goes with it, into whatever frame it is put. */
+    @Test
+    fun rule_6_12_primitivesOfOtherFramesKeepTheirColours() {
+        for (rate in listOf(ShadingRate.PIXEL, ShadingRate.AUTO)) {
+            val frame = SuperSampling(4, rate = rate).frame(mixture(), raster).frame
+            val expected = frame.render(ZBufferRenderer())
+            assertEquals(expected, frame.keeping { true }.render(TiledRenderer())) { "$rate" }
+            assertEquals(expected, Frame(frame.raster, frame.primitives).render(TiledRenderer())) { "$rate" }
+        }
+    }
+
+    private fun Frame.render(renderer: Renderer): Image = renderer.render(this)
 
     /** In parallel projection, what is linear on a triangle is at the mean of samples the mean of what it is there. */
     @Test

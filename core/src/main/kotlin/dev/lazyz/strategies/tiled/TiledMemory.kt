@@ -1,14 +1,12 @@
 package dev.lazyz.strategies.tiled
 
+import dev.lazyz.ChangedPrimitive
 import dev.lazyz.Frame
 import dev.lazyz.HeapLayout
-import dev.lazyz.ObservedPrimitive
-import dev.lazyz.OpaquePrimitive
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.raster.boundsIn
-import dev.lazyz.setup.PixelShadedPrimitive
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shading.MaskedPrimitive
@@ -109,13 +107,8 @@ internal class TiledMemory(private val frame: Frame, tileSize: Int, private val 
         return HeapLayout.MEMBER_SPANS + minOf(box.height, grid.tileHeight) * rowBytes
     }
 
-    private fun Primitive.isMasked(): Boolean = when (this) {
-        is MaskedPrimitive -> true
-        is PixelShadedPrimitive -> whole.isMasked()
-        is OpaquePrimitive -> whole.isMasked()
-        is ObservedPrimitive -> whole.isMasked()
-        else -> false
-    }
+    private fun Primitive.isMasked(): Boolean =
+        this is MaskedPrimitive || (this is ChangedPrimitive && whole.isMasked())
 
     /** Returns a number that the translucent fragments of no tile exceed. */
     private fun fragmentsOfATile(): Long {

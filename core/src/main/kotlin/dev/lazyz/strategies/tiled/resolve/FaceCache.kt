@@ -33,11 +33,14 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
     /** Whether primitive [index] has a face. */
     fun isFlat(index: Int): Boolean = isUsed && (batch(index) >= 0 || flat(index) != null)
 
-    /** Returns the flat primitive that single primitive [index] is; a triangle also if it has one colour in a pixel. */
+    /**
+     * Returns the flat primitive that single primitive [index] is; a triangle also if it has one colour in a pixel, at
+     * the [points] of this content. One that comes from another frame has points of its own, and finds them itself.
+     */
     private fun flat(index: Int): PlanarPrimitive? {
         val single = content.single(index)
         if (single !is PixelShadedPrimitive) return single as? PlanarPrimitive
-        return (single.whole as? PlanarPrimitive)?.takeIf { it.isTriangle }
+        return (single.whole as? PlanarPrimitive)?.takeIf { it.isTriangle && single.points === points }
     }
 
     /** Whether primitive [index] has one colour in each pixel, see [ShadingPoints]. */
