@@ -4,7 +4,6 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Region
 import dev.lazyz.RowSink
-import dev.lazyz.filter.LightSums.ALPHA
 import dev.lazyz.filter.LightSums.CHANNELS
 import dev.lazyz.filter.SuperSampling.PixelFilter
 import dev.lazyz.spi.Srgb
@@ -71,43 +70,16 @@ internal class BoxSink(private val factor: Int, frame: Frame, pixels: Region, pr
     /** Takes a row of samples of the pixel [x]. */
     private fun uneven(row: Int, x: Int, argb: IntArray) {
         val start = factor * x
-        if (row == 0) return begin(x, argb, start, start + factor)
-        if (!isMixed[x]) mix(x, row)
-        sum(argb, start, start + factor) { at, light -> sums[CHANNELS * x + at] += light }
-    }
-
-    /** Begins the sums of the pixel [x] with the colours [start] until [end]. */
-    private fun begin(x: Int, colors: IntArray, start: Int, end: Int) {
-        corners[x] = colors[start]
-        isMixed[x] = true
-        sum(colors, start, end) { at, light -> sums[CHANNELS * x + at] = light }
-    }
-
-    /** Passes the sum of each channel of the colours [start] until [end] to [use]. */
-    private inline fun sum(colors: IntArray, start: Int, end: Int, use: (channel: Int, light: Long) -> Unit) {
-        var red = 0L
-        var green = 0L
-        var blue = 0L
-        var alpha = 0L
-        for (i in start until end) {
-            LightSums.of(colors[i], 1) { r, g, b, a ->
-                red += r
-                green += g
-                blue += b
-                alpha += a
-            }
-        }
-        use(0, red)
-        use(1, green)
-        use(2, blue)
-        use(ALPHA, alpha)
+        if (row == 0) corners[x] = argb[start]
+        if (row == 0 || !isMixed[x]) mix(x, row)
+        LightSums.add(sums, CHANNELS * x, argb, start, start + factor) { 1 }
     }
 
     /** Begins the sums of the pixel [x] with its [rows] rows so far. */
     private fun mix(x: Int, rows: Int) {
         isMixed[x] = true
         sums.fill(0, CHANNELS * x, CHANNELS * (x + 1))
-        add(x, corners[x], factor.toLong() * rows)
+        if (rows > 0) add(x, corners[x], factor.toLong() * rows)
     }
 
     private fun add(x: Int, color: Int, count: Long) = LightSums.add(sums, CHANNELS * x, color, count)
@@ -214,6 +186,26 @@ internal object LightSums {
             sums[at + 2] += blue
             sums[at + ALPHA] += alpha
         }
+    }
+
+    /** Adds the colours [start] until [end] of [argb] to the sums from [at] on, each as often as [weight] returns. */
+    inline fun add(sums: LongArray, at: Int, argb: IntArray, start: Int, end: Int, weight: (i: Int) -> Int) {
+        var red = 0L
+        var green = 0L
+        var blue = 0L
+        var alpha = 0L
+        for (i in start until end) {
+            of(argb[i], weight(i).toLong()) { r, g, b, a ->
+                red += r
+                green += g
+                blue += b
+                alpha += a
+            }
+        }
+        sums[at] += red
+        sums[at + 1] += green
+        sums[at + 2] += blue
+        sums[at + ALPHA] += alpha
     }
 
     /**

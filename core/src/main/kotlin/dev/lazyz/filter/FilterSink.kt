@@ -66,26 +66,14 @@ internal class FilterSink(
     /** Sums up a row of samples for every pixel. */
     private fun sumAcross(argb: IntArray) {
         val weights = taps.weights
+        across.fill(0)
         for (x in 0 until width) {
             val first = taps.first(pixels.columnStart + x)
             val start = maxOf(first, samples.columnStart)
             val end = minOf(taps.end(pixels.columnStart + x), samples.columnEnd)
-            var red = 0L
-            var green = 0L
-            var blue = 0L
-            var alpha = 0L
-            for (i in start until end) {
-                LightSums.of(argb[i - samples.columnStart], weights[i - first].toLong()) { r, g, b, a ->
-                    red += r
-                    green += g
-                    blue += b
-                    alpha += a
-                }
+            LightSums.add(across, CHANNELS * x, argb, start - samples.columnStart, end - samples.columnStart) {
+                weights[it + samples.columnStart - first]
             }
-            across[CHANNELS * x] = red
-            across[CHANNELS * x + 1] = green
-            across[CHANNELS * x + 2] = blue
-            across[CHANNELS * x + 3] = alpha
         }
     }
 

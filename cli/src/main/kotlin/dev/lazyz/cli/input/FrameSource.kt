@@ -72,11 +72,8 @@ internal class FrameSource(
     }
 
     /** Returns the settings of the picture, seen from [view] or, if that is null, from the side that they choose. */
-    fun settings(view: View?): PictureSettings {
-        if (view == null) return subject.settings
-        return subject.settings.without(PictureParameters.AZIMUTH).without(PictureParameters.ELEVATION)
-            .with(PictureParameters.VIEW, view)
-    }
+    fun settings(view: View?): PictureSettings =
+        if (view == null) subject.settings else subject.settings.seenFrom(view)
 
     /**
      * Returns the picture of [loaded], seen from [view] as [settings] says. It is set up by the threads of [options]. A

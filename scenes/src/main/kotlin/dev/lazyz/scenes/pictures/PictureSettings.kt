@@ -8,6 +8,7 @@ import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.Scene
+import dev.lazyz.world.View
 import dev.lazyz.world.Viewpoint
 import dev.lazyz.world.material.Material.Shading
 
@@ -103,6 +104,10 @@ public class PictureSettings private constructor(
 
     /** Returns these settings without a value of [parameter]. */
     public fun without(parameter: PictureParameter<*>): PictureSettings = copy(given = given - parameter)
+
+    /** Returns these settings, seen from [view] in place of the side that they choose. */
+    public fun seenFrom(view: View): PictureSettings =
+        without(PictureParameters.AZIMUTH).without(PictureParameters.ELEVATION).with(PictureParameters.VIEW, view)
 
     /**
      * Returns these settings with another default of [parameter], which is [PictureParameters.SIZE] or

@@ -83,7 +83,7 @@ public class ModelArchive private constructor(
      * Returns [failure] with the names of the archive in place of those of temporary files. If these cannot be read, it
      * stays as it is, for those who run the program.
      */
-    public fun named(failure: SceneFormatException): SceneFormatException {
+    private fun named(failure: SceneFormatException): SceneFormatException {
         if (failure is SceneReadException) return failure
         val remedy = if (failure.remedy == FileReferences.REMEDY) "put it into the archive" else failure.remedy
         return SceneFormatException(

@@ -2,7 +2,6 @@ package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.bytes
 import dev.lazyz.filter.LightSums
-import dev.lazyz.filter.LightSums.ALPHA
 import dev.lazyz.filter.LightSums.CHANNELS
 
 /**
@@ -54,25 +53,11 @@ internal class PixelSums(pixels: Int) {
      * is.
      */
     inline fun add(pixel: Int, argb: IntArray, first: Int, end: Int, weight: (i: Int) -> Int) {
-        var red = 0L
-        var green = 0L
-        var blue = 0L
-        var alpha = 0L
-        for (i in first until end) {
+        LightSums.add(sums, CHANNELS * pixel, argb, first, end) { i ->
             val samples = weight(i)
             if (samples and CORNER != 0) corners[pixel] = argb[i]
-            LightSums.of(argb[i], (samples and CORNER.inv()).toLong()) { r, g, b, a ->
-                red += r
-                green += g
-                blue += b
-                alpha += a
-            }
+            samples and CORNER.inv()
         }
-        val at = CHANNELS * pixel
-        sums[at] += red
-        sums[at + 1] += green
-        sums[at + 2] += blue
-        sums[at + ALPHA] += alpha
     }
 
     /** Returns the mean of a [pixel] with so many [samples]. */

@@ -24,7 +24,7 @@ internal class TilePixels(
     keys: VisibilityBuffer,
     private val layers: TileLayers,
     kernel: FragmentKernel,
-    private val counters: Counters.Builder,
+    counters: Counters.Builder,
     private val checkpoint: Checkpoint,
     private val side: Int,
 ) : TileShading(frame, keys, layers, Coherence.DIRECT, kernel, counters, checkpoint, side) {
@@ -149,12 +149,16 @@ internal class TilePixels(
             val index = indices[i]
             if (index == TAKEN) continue
             if (index != DepthTest.BACKGROUND && !fragments.isOnce(index)) {
-                add(index, x, row, i, if (i == 0) 1 or CORNER else 1)
+                fragments.add(index, weigh(x, row, i, if (i == 0) 1 or CORNER else 1), 1)
                 continue
             }
             val count = takeSame(i)
             val weight = if (index == corner) count or CORNER else count
-            if (index == DepthTest.BACKGROUND) sums.add(pixel, background, weight) else add(index, x, row, i, weight)
+            if (index == DepthTest.BACKGROUND) {
+                sums.add(pixel, background, weight)
+            } else {
+                fragments.addPart(index, weigh(x, row, i, weight), 1)
+            }
         }
     }
 
@@ -173,13 +177,12 @@ internal class TilePixels(
         return count
     }
 
-    /** Adds a fragment of the primitive [index] at a [sample] of a mixed pixel. */
-    private fun add(index: Int, x: Int, row: Int, sample: Int, weight: Int) {
+    /** Records the [weight] of the fragment at a [sample] of a mixed pixel, and returns its place. */
+    private fun weigh(x: Int, row: Int, sample: Int, weight: Int): Int {
         val y = side * row + sample / side
         val column = side * x + sample % side
         weights[y * stride + column] = weight
-        val place = PrimitiveRuns.place(y, column)
-        if (fragments.isOnce(index)) fragments.addPart(index, place, 1) else fragments.add(index, place, 1)
+        return PrimitiveRuns.place(y, column)
     }
 
     /** Fills in pixel [x] of a row of pixels, in which translucent fragments are visible: each sample is shaded. */

@@ -33,11 +33,8 @@ internal class PictureRequest private constructor(
     val frames: Int get() = steps ?: maxOf(views.size, 1)
 
     /** Returns the settings of the cell [number] of a contact sheet, made of [settings], or these if there is none. */
-    fun settings(settings: PictureSettings, number: Int): PictureSettings {
-        val view = views.getOrNull(number) ?: return settings
-        return settings.without(PictureParameters.AZIMUTH).without(PictureParameters.ELEVATION)
-            .with(PictureParameters.VIEW, view)
-    }
+    fun settings(settings: PictureSettings, number: Int): PictureSettings =
+        views.getOrNull(number)?.let(settings::seenFrom) ?: settings
 
     /** The format of the model, or null if its content decides. */
     val format: SceneFormat? get() = settings[PictureParameters.FORMAT]
