@@ -176,7 +176,11 @@ class PixelShadingTest {
         }
         val points = Points(FloatArray(90) { place() }, size = 3.0)
         val lines = Lines(FloatArray(60) { place() }, IntArray(20) { it }, width = 1.5)
-        return scene(*meshes.toTypedArray(), points, lines, ball(Material()))
+
+        // Not flat, and without alpha: its pixels have the colours of their upper left samples
+        val clear = Material(shader = { it.setColor(it.normalX, it.normalY, 1f, 0f) })
+        val bare = Sphere(Vector3d(-0.9, -0.3, 2.2), 0.3, clear)
+        return scene(*meshes.toTypedArray(), points, lines, ball(Material()), bare)
     }
 
     private val glass = Material(Rgba(0.9f, 0.2f, 0.3f, 0.5f), alphaMode = AlphaMode.BLEND)
