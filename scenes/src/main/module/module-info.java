@@ -12,10 +12,10 @@ module dev.lazyz.scenes {
     exports dev.lazyz.scenes.aov;
     exports dev.lazyz.scenes.diff;
     exports dev.lazyz.scenes.html;
+    exports dev.lazyz.scenes.outputs;
     exports dev.lazyz.scenes.pictures;
     exports dev.lazyz.scenes.ply;
     exports dev.lazyz.scenes.scenefile;
-    exports dev.lazyz.scenes.sheets;
     exports dev.lazyz.scenes.text;
     exports dev.lazyz.scenes.writers;
     exports dev.lazyz.scenes.writers.animation;

@@ -13,8 +13,8 @@ import dev.lazyz.cli.output.printable
 import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.StrategyChoice
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.outputs.ContactSheet
 import dev.lazyz.scenes.pictures.PictureParameters
-import dev.lazyz.scenes.sheets.ContactSheet
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
 import java.util.concurrent.Future

@@ -1,7 +1,7 @@
 package dev.lazyz.cli.batch
 
 import dev.lazyz.cli.output.Progress
-import dev.lazyz.scenes.sheets.ContactSheet
+import dev.lazyz.scenes.outputs.ContactSheet
 import java.util.ArrayDeque
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock

@@ -5,7 +5,7 @@ import dev.lazyz.cli.image
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.zcli
 import dev.lazyz.scenes.ImageSize
-import dev.lazyz.scenes.sheets.ContactSheet
+import dev.lazyz.scenes.outputs.ContactSheet
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.writeText

@@ -32,12 +32,16 @@ import org.apache.spark.sql.types.StructType
  * | `name`, `options` | as given |
  * | `width`, `height` | of the picture, in pixels |
  * | `png`, `pixels`, `depth` | as `output` says: a PNG file; alpha, red, green, blue, 8-bit sRGB; 32-bit depths |
+ * | `npz` | a file with data of pixels in place of the picture, as `aov` says |
  * | `hash` | the pixel hash of contract rule 7.2 |
  * | `counters` | primitives, fragments, depth evaluations, depth passes and shading calls |
  * | `blank` | why there is nothing to see, `background` or `one_color`, or null |
  * | `cropped` | whether a part of the model is outside the picture |
  * | `warnings` | what the reader ignored, and what options do not do to this model |
  * | `error` | why there is no picture, or null |
+ *
+ * With `turntable`, `png` is an animated PNG; with `views`, it shows all of them. `width` and `height` are then those
+ * of each picture, and `hash` is that of all.
  *
  * A picture has the bits of `zcli render` with the same options. Each task renders one model at a time on one thread.
  * Memory of an executor: for each of its tasks a model in memory. A model whose decoded data need more than a task's

@@ -43,7 +43,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     }
 
     private fun outputNeed(request: PictureRequest): Long {
-        val numbers = request.aovs.sumOf { it.channels.size } + if (request.views.isEmpty()) 0 else 1
+        val numbers = request.output.aovs.sumOf { it.channels.size } + if (request.output.views.isEmpty()) 0 else 1
         return request.pixels * (BYTES_PER_PIXEL + numbers * BYTES_PER_NUMBER) + pngBlocks * BLOCK_BYTES
     }
 
@@ -113,13 +113,11 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         )
         val setUp = items.sumOf { it.bytes }
         if (setUp > memory) grow(setUp)
-        val turntable = request.steps?.let { settings.turntable(loaded, it) }
         val file = RenderedPicture.Bytes()
-        val output = PictureOutput(file, request)
-        for (step in 0 until request.frames) {
+        val writer = request.output.writer(file, settings, loaded)
+        for (number in 0 until request.output.frames) {
             val frame = try {
-                turntable?.frame(step, options, observer)
-                    ?: request.settings(settings, step).frame(loaded, options, observer)
+                writer.frame(number, options, observer)
             } catch (e: NoPictureException) {
                 val reason = ClientText.of(e.message.orEmpty())
                 throw Problem(Problem.UNPROCESSABLE, "the model cannot be shown as requested: $reason")
@@ -127,11 +125,11 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
             requireGoingOn()
             val plan = plan(frame, maxOf(memory, setUp), items)
             if (!plan.fits) grow(plan.bytes)
-            output.add(frame, plan.renderer)
+            writer.add(frame, plan.renderer)
         }
-        if (output.fragments == 0L) throw nothing(loaded)
+        if (writer.counters.fragments == 0L) throw nothing(loaded)
         val warnings = loaded.warnings + observer.warnings.distinct()
-        return RenderedPicture(file, output.type, output.tag(), warnings, output.blank, output.isCropped)
+        return RenderedPicture(file, request, writer, warnings)
     }
 
     /** Returns the problem that the picture is empty, with the reasons. */

@@ -6,11 +6,11 @@ import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.aov.AovFiles
+import dev.lazyz.scenes.outputs.ContactSheet
 import dev.lazyz.scenes.pictures.PictureDoor
 import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
-import dev.lazyz.scenes.sheets.ContactSheet
 import dev.lazyz.scenes.writers.animation.Animation
 import dev.lazyz.scenes.writers.animation.AnimationFiles
 import dev.lazyz.server.Client

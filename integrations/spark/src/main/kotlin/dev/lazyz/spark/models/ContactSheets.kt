@@ -1,7 +1,7 @@
 package dev.lazyz.spark.models
 
 import dev.lazyz.scenes.ImageSize
-import dev.lazyz.scenes.sheets.ContactSheet
+import dev.lazyz.scenes.outputs.ContactSheet
 import java.io.ByteArrayOutputStream
 import java.io.Serializable
 import java.nio.ByteBuffer

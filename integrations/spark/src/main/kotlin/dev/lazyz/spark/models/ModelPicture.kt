@@ -7,6 +7,7 @@ import dev.lazyz.scenes.ReferencePolicy
 import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.zip.ModelArchive
 import dev.lazyz.strategies.tiled.TiledRenderer
+import java.io.ByteArrayOutputStream
 import java.io.Serializable
 import java.time.Duration
 import org.apache.spark.SparkEnv
@@ -41,9 +42,18 @@ internal class ModelPicture(limits: LoadLimits) {
     private fun picture(name: String, bytes: ByteArray, wish: PictureOptions): Row =
         ModelArchive.read(bytes, wish.format, name, wish.model, wish.settings(), limits) { loaded, settings ->
             val observer = PictureObserver(name, limits)
-            val frame = settings.frame(loaded, options, observer)
-            val warnings = loaded.warnings + observer.warnings
-            PictureColumns.row(name, wish, frame.render(renderer), frame.isCropped, warnings)
+            val output = wish.output()
+            if (output == null) {
+                val frame = settings.frame(loaded, options, observer)
+                val warnings = loaded.warnings + observer.warnings
+                PictureColumns.row(name, wish, frame.render(renderer), frame.isCropped, warnings)
+            } else {
+                val file = ByteArrayOutputStream()
+                val writer = output.writer(file, settings, loaded)
+                for (number in 0 until output.frames) writer.add(writer.frame(number, options, observer), renderer)
+                val warnings = loaded.warnings + observer.warnings.distinct()
+                PictureColumns.row(name, wish, writer, file.toByteArray(), warnings)
+            }
         }
 
     companion object {

@@ -2,6 +2,7 @@ package dev.lazyz.spark.models
 
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.outputs.PictureOutput
 import dev.lazyz.scenes.pictures.PictureDoor
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
@@ -11,9 +12,10 @@ import java.io.Serializable
  * What a picture of a model shows, written as words `name=value` with spaces or commas between them, for example
  * `size=256 view=iso aa=4`. The names and values are those of [PictureParameters], which are those of `zcli render`; a
  * comma belongs to a value if no `=` follows, as in `eye=1,2,3`, and to a name that switches something on, such as
- * `edges`, `=true` can be left out. The default of `size` is 256. There are two more names: `output` is `png`, which
- * is the default, `pixels` or `depth`, or several joined by `+`; `model` is the model in a ZIP archive, if there are
- * several. Files, as of `texture`, are names in the archive.
+ * `edges`, `=true` can be left out. The default of `size` is 256. There are more names: `output` is `png`, which is the
+ * default, `pixels` or `depth`, or several joined by `+`; in place of one picture, `aov`, `turntable` and `views` ask
+ * for what [PictureOutput] says; `model` is the model in a ZIP archive, if there are several. Files, as of `texture`,
+ * are names in the archive.
  *
  * Immutable. Throws [IllegalArgumentException] if a word is not understood, or two exclude each other; the message says
  * which.
@@ -24,24 +26,35 @@ public class PictureOptions(public val words: String) : Serializable {
     init {
         // Look at all words now, so that the driver reports mistakes and not each task
         settings().check()
-        outputs()
+        output()
+        columns()
     }
 
     internal val format: SceneFormat? get() = settings()[PictureParameters.FORMAT]
 
-    internal fun has(output: String): Boolean = output in outputs()
+    internal fun has(column: String): Boolean = column in columns()
 
     internal fun settings(): PictureSettings =
-        PictureDoor.SPARK.read(USUAL, pairs().filter { (name, _) -> name != OUTPUT && name != MODEL })
+        PictureDoor.SPARK.read(USUAL, pairs().filter { (name, _) -> name !in OWN })
 
-    internal val model: String? get() = pairs().lastOrNull { (name, _) -> name == MODEL }?.second
+    internal val model: String? get() = last(MODEL)
 
-    private fun outputs(): List<String> {
-        val word = pairs().lastOrNull { (name, _) -> name == OUTPUT }?.second ?: OUTPUTS[0]
-        return word.split('+').onEach {
-            require(it in OUTPUTS) { "output: '$it' is not one of ${OUTPUTS.joinToString()}" }
+    /** Returns what there is in place of one picture, or null. */
+    internal fun output(): PictureOutput? {
+        val words = PictureOutput.WORDS.keys.mapNotNull { name -> last(name)?.let { name to it } }.toMap()
+        return if (words.isEmpty()) null else PictureOutput.read(words, settings())
+    }
+
+    private fun columns(): List<String> {
+        val word = last(COLUMNS)
+        val other = PictureOutput.WORDS.keys.firstOrNull { last(it) != null }
+        require(word == null || other == null) { "$COLUMNS cannot be combined with $other" }
+        return (word ?: KNOWN[0]).split('+').onEach {
+            require(it in KNOWN) { "$COLUMNS: '$it' is not one of ${KNOWN.joinToString()}" }
         }
     }
+
+    private fun last(name: String): String? = pairs().lastOrNull { it.first == name }?.second
 
     /** Returns names with their values. */
     private fun pairs(): List<Pair<String, String>> {
@@ -67,10 +80,11 @@ public class PictureOptions(public val words: String) : Serializable {
 
     public companion object {
         private const val serialVersionUID = 1L
-        private const val OUTPUT = "output"
+        private const val COLUMNS = "output"
         private const val MODEL = "model"
         private val USUAL = PictureSettings().withDefault(PictureParameters.SIZE, ImageSize(256, 256))
-        private val OUTPUTS = listOf("png", "pixels", "depth")
-        private val NAMES = PictureDoor.SPARK.parameters.map { it.name } + OUTPUT + MODEL
+        private val KNOWN = listOf("png", "pixels", "depth")
+        private val OWN = listOf(COLUMNS, MODEL) + PictureOutput.WORDS.keys
+        private val NAMES = PictureDoor.SPARK.parameters.map { it.name } + OWN
     }
 }

@@ -1,8 +1,11 @@
 package dev.lazyz.spark.models
 
+import dev.lazyz.aov.Aov
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.aov.AovFiles
+import dev.lazyz.scenes.outputs.PictureOutput
 import dev.lazyz.scenes.pictures.PictureDoor
 import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.pictures.PictureParameters
@@ -12,9 +15,11 @@ import dev.lazyz.spark.ModelPictures
 import dev.lazyz.spark.Models
 import dev.lazyz.spark.RenderModel
 import dev.lazyz.strategies.tiled.TiledRenderer
+import java.io.ByteArrayOutputStream
 import java.nio.file.Path
 import kotlin.io.path.writeBytes
 import org.apache.spark.sql.Row
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Test
@@ -33,6 +38,8 @@ class PictureOptionsTest {
         RenderModel().call(model, "a.obj", words)
 
     private fun Row.text(column: String): String? = getString(ModelPictures.schema.fieldIndex(column))
+
+    private fun Row.bytes(column: String): ByteArray? = getAs(ModelPictures.schema.fieldIndex(column))
 
     private fun assertSame(words: Map<String, String>) {
         val all = (mapOf("size" to "40x30") + words).entries.joinToString(" ") { "${it.key}=${it.value}" }
@@ -66,6 +73,37 @@ class PictureOptionsTest {
         assertEquals("a.obj: there is no file 'b.obj' in it; it has model.obj, picture.png", missing)
         val lonely = row("matcap=picture.png").text("error")
         assertEquals("a.obj: is no ZIP archive, so 'matcap' has no effect; send one, or omit it", lonely)
+    }
+
+    /** The bytes are those of the library. */
+    @Test
+    fun dataOfPixelsTurnsAndViewsAreColumns() {
+        val settings = usual.with(PictureParameters.AA, 2).with(PictureParameters.ZOOM, 2.0)
+        val loaded = Scenes.load(Models.OBJ.toByteArray(), SceneFormat.OBJ, "a.obj")
+        val data = row("size=40x30 aa=2 zoom=2 aov=normal,depth")
+        val frame = settings.frame(loaded)
+        val aovs = frame.render(TiledRenderer(), { _, _, _, _ -> }, setOf(Aov.DEPTH, Aov.NORMAL))
+        val npz = ByteArrayOutputStream().also { AovFiles.writeArchive(it, aovs.images) }.toByteArray()
+        assertArrayEquals(npz, data.bytes("npz"))
+        assertEquals(frame.render(TiledRenderer()).pixelHash(), data.text("hash"))
+        assertNull(data.bytes("png"))
+
+        for (words in listOf(mapOf("turntable" to "3", "frames-per-second" to "5"), mapOf("views" to "top,front"))) {
+            val file = ByteArrayOutputStream()
+            val output = PictureOutput.read(words, settings)
+            val writer = output.writer(file, settings, loaded)
+            for (number in 0 until output.frames) writer.add(writer.frame(number), TiledRenderer())
+            val row = row("size=40x30,aa=2,zoom=2," + words.entries.joinToString(",") { "${it.key}=${it.value}" })
+            assertArrayEquals(file.toByteArray(), row.bytes("png")) { row.text("error") }
+            assertEquals(writer.hash, row.text("hash"))
+            assertNull(row.bytes("npz"))
+        }
+        val mistakes = mapOf(
+            "turntable=1" to "turntable: '1' is no whole number in 2..3600",
+            "aov=depth output=pixels" to "output cannot be combined with aov",
+            "views=top eye=1,2,3" to "views cannot be combined with eye",
+        )
+        for ((words, message) in mistakes) assertEquals(message, row(words).text("error"))
     }
 
     @Test

@@ -1,4 +1,4 @@
-package dev.lazyz.scenes.sheets
+package dev.lazyz.scenes.outputs
 
 import dev.lazyz.RowSink
 import dev.lazyz.scenes.ImageSize
