@@ -53,6 +53,15 @@ internal object VertexTransforms {
     private fun isTranslation(m: Matrix4dc): Boolean =
         (0 until 3).all { column -> (0 until 3).all { m.get(column, it) == if (column == it) 1.0 else 0.0 } }
 
+    /** Returns the [width] numbers of each of the [vertices], in the order of [vertices]. */
+    fun gathered(from: FloatArray, vertices: IntArray, width: Int): FloatArray {
+        val to = FloatArray(width * vertices.size)
+        for (i in vertices.indices) {
+            for (k in 0 until width) to[width * i + k] = from[width * vertices[i] + k]
+        }
+        return to
+    }
+
     /** Returns normals transformed by the inverse transpose of [m], at unit length; by a translation, unchanged. */
     fun normals(from: FloatArray, m: Matrix4dc): FloatArray {
         if (isTranslation(m)) return from

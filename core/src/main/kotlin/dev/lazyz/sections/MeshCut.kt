@@ -80,13 +80,7 @@ internal class MeshCut(private val mesh: Mesh, plane: SectionPlane) {
             }
         }
         if (count == 0) return null
-        return Mesh(
-            gathered(vertices, p, 3), corners.copyOf(count), mesh.material,
-            mesh.normals?.let { gathered(vertices, it, 3) },
-            mesh.uvs?.let { gathered(vertices, it, 2) }, mesh.colors?.let { gathered(vertices, it, 4) }, mesh.origin,
-            mesh.uvs2?.let { gathered(vertices, it, 2) }, mesh.tangents?.let { gathered(vertices, it, 4) },
-            mesh.name,
-        )
+        return mesh.mapped(corners.copyOf(count)) { numbers, width -> gathered(vertices, numbers, width) }
     }
 
     private fun between(vertices: DistinctTriples, a: Int, b: Int): Int =

@@ -3,6 +3,8 @@ package dev.lazyz.sections
 import dev.lazyz.Rgba
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.geometry.FillRule
+import dev.lazyz.geometry.Vectors
+import dev.lazyz.geometry.VertexTransforms
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Sides
@@ -14,6 +16,7 @@ import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Surface
 import java.util.function.UnaryOperator
+import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
@@ -171,12 +174,12 @@ internal object SparseCut {
     /** Returns the points that are kept; null if there is none. */
     fun of(points: Points, plane: SectionPlane): Points? {
         val p = points.positions
-        val kept = (0 until p.size / 3).filter { height(p, points.origin, it, plane) <= 0.0 }
+        val kept = (0 until p.size / 3).filter { height(p, points.origin, it, plane) <= 0.0 }.toIntArray()
         if (kept.isEmpty()) return null
         return Points(
-            gathered(p, kept, 3), points.size, points.material, points.normals?.let { gathered(it, kept, 3) },
-            points.colors?.let { gathered(it, kept, 4) },
-            points.origin, points.name,
+            VertexTransforms.gathered(p, kept, 3), points.size, points.material,
+            points.normals?.let { VertexTransforms.gathered(it, kept, 3) },
+            points.colors?.let { VertexTransforms.gathered(it, kept, 4) }, points.origin, points.name,
         )
     }
 
@@ -212,7 +215,54 @@ internal object SparseCut {
 
     private fun height(p: FloatArray, origin: Vector3dc, i: Int, plane: SectionPlane): Double =
         plane.height(p[3 * i] + origin.x(), p[3 * i + 1] + origin.y(), p[3 * i + 2] + origin.z())
+}
 
-    private fun gathered(array: FloatArray, kept: List<Int>, width: Int): FloatArray =
-        FloatArray(width * kept.size) { array[width * kept[it / width] + it % width] }
+/**
+ * A plane that cuts a scene. What is on the side that [normal] points to is removed: all points p whose product with
+ * the normal, at unit length, is greater than [distance]. Immutable.
+ *
+ * @param normal points to the removed side, of any length
+ * @property distance distance of the plane from the world's origin along the normal, world units
+ * @throws IllegalArgumentException if the normal is zero, or a number is not finite
+ */
+public class SectionPlane(normal: Vector3dc, public val distance: Double) {
+    /** Points to the removed side; unit length. */
+    public val normal: Vector3dc
+
+    init {
+        require(distance.isFinite()) { "distance must be finite: $distance" }
+        this.normal = Vectors.unit(normal, "normal")
+    }
+
+    /** Returns the distance of the point ([x], [y], [z]) from the plane, positive on the removed side, world units. */
+    internal fun height(x: Double, y: Double, z: Double): Double {
+        val height = normal.x() * x + normal.y() * y + normal.z() * z - distance
+        val size = StrictMath.abs(normal.x() * x) + StrictMath.abs(normal.y() * y) + StrictMath.abs(normal.z() * z)
+
+        // What differs from 0 only by rounding is on the plane
+        return if (StrictMath.abs(height) <= ROUNDING * (size + StrictMath.abs(distance))) 0.0 else height
+    }
+
+    override fun toString(): String = "${normal.x()},${normal.y()},${normal.z()},$distance"
+
+    public companion object {
+        /** More than the rounding error of a height, as a part of its terms. */
+        private const val ROUNDING = 1e-13
+
+        /** Returns the plane [x] that removes what has a greater x. */
+        @JvmStatic
+        public fun x(x: Double): SectionPlane = SectionPlane(Vector3d(1.0, 0.0, 0.0), x)
+
+        /** Returns the plane [y] that removes what has a greater y. */
+        @JvmStatic
+        public fun y(y: Double): SectionPlane = SectionPlane(Vector3d(0.0, 1.0, 0.0), y)
+
+        /** Returns the plane [z] that removes what has a greater z. */
+        @JvmStatic
+        public fun z(z: Double): SectionPlane = SectionPlane(Vector3d(0.0, 0.0, 1.0), z)
+    }
+
+    /** Returns the same plane, which removes the other side. */
+    public fun reversed(): SectionPlane =
+        SectionPlane(Vector3d(-normal.x(), -normal.y(), -normal.z()), -distance)
 }

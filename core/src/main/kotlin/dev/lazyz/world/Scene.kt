@@ -280,12 +280,9 @@ public class Scene private constructor(
     public class Builder {
         private val surfaces = ArrayList<Surface>()
         private val lights = ArrayList<Light>()
-        private var viewpoint: Viewpoint = Camera.fit()
-        private var background: Rgba = Rgba.WHITE
-        private var environment: Environment? = null
-        private var toneMapping: ToneMapping? = null
-        private var ambientVisibility: AmbientVisibility? = null
-        private var lightIntensity = 1f
+
+        /** The scene without surfaces and lights. */
+        private var rest = Scene(emptyList())
 
         /** Adds a surface after those already added, in submission order. */
         public fun add(surface: Surface): Builder = apply { surfaces.add(surface) }
@@ -294,29 +291,31 @@ public class Scene private constructor(
         public fun light(light: Light): Builder = apply { lights.add(light) }
 
         /** Sets the camera, or a rule that chooses one. The default is [Camera.fit]. */
-        public fun viewpoint(viewpoint: Viewpoint): Builder = apply { this.viewpoint = viewpoint }
+        public fun viewpoint(viewpoint: Viewpoint): Builder = apply { rest = rest.withViewpoint(viewpoint) }
 
         /** Sets the background. The default is white. */
-        public fun background(background: Rgba): Builder = apply { this.background = background }
+        public fun background(background: Rgba): Builder = apply { rest = rest.withBackground(background) }
 
         /** Sets the environment. The default, null, is described at [Scene.environment]. */
-        public fun environment(environment: Environment?): Builder = apply { this.environment = environment }
+        public fun environment(environment: Environment?): Builder = apply { rest = rest.withEnvironment(environment) }
 
         /** Sets exposure and tone curve. The default, null, is described at [Scene.toneMapping]. */
-        public fun toneMapping(toneMapping: ToneMapping?): Builder = apply { this.toneMapping = toneMapping }
+        public fun toneMapping(toneMapping: ToneMapping?): Builder = apply { rest = rest.withToneMapping(toneMapping) }
 
         /** Sets the visibility of ambient light. The default is null: nothing hides it. */
         public fun ambientVisibility(ambientVisibility: AmbientVisibility?): Builder =
-            apply { this.ambientVisibility = ambientVisibility }
+            apply { rest = rest.withAmbientVisibility(ambientVisibility) }
 
-        /** Sets the factor of all light, 0 or more. The default is 1. */
-        public fun lightIntensity(lightIntensity: Float): Builder = apply { this.lightIntensity = lightIntensity }
+        /**
+         * Sets the factor of all light, 0 or more. The default is 1.
+         *
+         * @throws IllegalArgumentException if it is negative or not finite
+         */
+        public fun lightIntensity(lightIntensity: Float): Builder =
+            apply { rest = rest.withLightIntensity(lightIntensity) }
 
         /** Returns the scene so far. The builder can be used further. */
-        public fun build(): Scene = Scene(
-            surfaces.toList(), lights.toList(), viewpoint, background, environment, toneMapping, ambientVisibility,
-            lightIntensity,
-        )
+        public fun build(): Scene = rest.withSurfaces(surfaces.toList()).withLights(lights.toList())
     }
 
     public companion object {

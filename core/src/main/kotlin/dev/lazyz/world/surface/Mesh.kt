@@ -3,7 +3,10 @@ package dev.lazyz.world.surface
 import dev.lazyz.Checkpoint
 import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
+import dev.lazyz.Workers
 import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.CornerNormals
+import dev.lazyz.geometry.CornersByPosition
 import dev.lazyz.geometry.PointBlocks
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
@@ -103,13 +106,8 @@ public class Mesh @JvmOverloads constructor(
         Mesh(positions, triangles, change.apply(material), normals, uvs, colors, origin, uvs2, tangents, name)
 
     override fun withUpAxis(up: UpAxis): Mesh = Mesh(
-        up.toWorld(positions), triangles, material,
-        normals?.let {
-            up.toWorld(it)
-        },
-        uvs, colors, up.toWorld(origin), uvs2,
-        tangents?.let { up.toWorld(it, 4) },
-        name,
+        up.toWorld(positions), triangles, material, normals?.let { up.toWorld(it) }, uvs, colors, up.toWorld(origin),
+        uvs2, tangents?.let { up.toWorld(it, 4) }, name,
     )
 
     override fun hasUvs(set: Int): Boolean = (if (set == 0) uvs else uvs2) != null
@@ -155,6 +153,31 @@ public class Mesh @JvmOverloads constructor(
     }
 
     /**
+     * Returns this mesh with other vertices and triangles: vertex i has all that vertex number `vertices[i]` of this
+     * mesh has. Cost: linear in the size of the result.
+     *
+     * @param normals the normals of the new vertices; by default those of this mesh
+     * @throws IllegalArgumentException if an array has the wrong length, or a vertex number of a triangle is out of
+     *   range
+     * @throws IndexOutOfBoundsException if this mesh has no vertex of one of these numbers
+     */
+    @JvmOverloads
+    public fun withVertices(vertices: IntArray, triangles: IntArray, normals: FloatArray? = null): Mesh =
+        mapped(triangles, normals) { numbers, width -> VertexTransforms.gathered(numbers, vertices, width) }
+
+    /** Returns a mesh of [triangles] whose vertices have what [change] makes of the numbers of each kind. */
+    internal fun mapped(
+        triangles: IntArray,
+        normals: FloatArray? = null,
+        tangents: FloatArray? = null,
+        change: (numbers: FloatArray, width: Int) -> FloatArray,
+    ): Mesh = Mesh(
+        change(positions, 3), triangles, material, normals ?: this.normals?.let { change(it, 3) },
+        uvs?.let { change(it, 2) }, colors?.let { change(it, 4) }, origin, uvs2?.let { change(it, 2) },
+        tangents ?: this.tangents?.let { change(it, 4) }, name,
+    )
+
+    /**
      * Returns this mesh with normals computed from its triangles. The normal at a vertex is the mean, weighted by area,
      * of the normals of the triangles around it that differ by less than [creaseAngle] degrees. Vertices at the same
      * position count as one vertex. A vertex on a crease is split, so that edges sharper than the angle stay sharp. If
@@ -185,4 +208,78 @@ public class Mesh @JvmOverloads constructor(
     }
 
     override fun toString(): String = "Mesh($vertexCount vertices, $triangleCount triangles, $material)"
+}
+
+/**
+ * Computes normals of a mesh from its triangles, see [Mesh.withSmoothNormals].
+ *
+ * Face normals are added in the order of the triangles, and vertices are numbered in the order of their first corner,
+ * so the result does not depend on how the work is divided between threads.
+ *
+ * @param checkpoint may end the work; passed on the calling thread
+ */
+internal class SmoothNormals(
+    private val mesh: Mesh,
+    private val creaseAngle: Double,
+    private val checkpoint: Checkpoint = Checkpoint.NONE,
+) {
+    init {
+        require(creaseAngle in 0.0..180.0) { "creaseAngle must be in 0..180 degrees: $creaseAngle" }
+    }
+
+    /** By corner: the copy of its vertex. First numbered within the chunk of positions, later within the new mesh. */
+    private val triangles = IntArray(mesh.triangles.size)
+
+    /** Returns the mesh with normals. A vertex has as many copies as its corners have different normals. */
+    fun mesh(): Mesh = numbered(copies())
+
+    /** The normals of the copies of vertices, by chunk of positions. */
+    private class Copies(val positionOf: IntArray, val sizes: IntArray, val normals: List<FloatArray>)
+
+    private fun copies(): Copies {
+        val byPosition = CornersByPosition(mesh.positions, mesh.triangles, checkpoint)
+        val firstCopy = IntArray(mesh.vertexCount) { -1 }
+        val chunks = List((byPosition.count + CHUNK - 1) / CHUNK) {
+            CornerNormals(mesh.positions, mesh.triangles, creaseAngle, firstCopy, triangles)
+        }
+        Workers.ALL.forEach(chunks.size, checkpoint) { chunk, own ->
+            for (position in chunk * CHUNK until minOf((chunk + 1) * CHUNK, byPosition.count)) {
+                val start = byPosition.starts[position]
+                val end = byPosition.starts[position + 1]
+                if (Checkpoint.isDue(position) || end - start > MANY) own.pass()
+                chunks[chunk].add(byPosition.corners, start, end)
+            }
+        }
+        return Copies(byPosition.positionOf, IntArray(chunks.size) { chunks[it].size }, chunks.map { it.normals })
+    }
+
+    /** Renumbers the copies in the order of their first corner, and builds the mesh. */
+    private fun numbered(copies: Copies): Mesh {
+        val numbers = Array(copies.sizes.size) { IntArray(copies.sizes[it]) { -1 } }
+        val sources = IntArray(copies.sizes.sum())
+        val normals = FloatArray(3 * sources.size)
+        var count = 0
+        for ((corner, vertex) in mesh.triangles.withIndex()) {
+            if (Checkpoint.isDue(corner)) checkpoint.pass()
+            val chunk = copies.positionOf[vertex] / CHUNK
+            val copy = triangles[corner]
+            var number = numbers[chunk][copy]
+            if (number < 0) {
+                number = count++
+                numbers[chunk][copy] = number
+                sources[number] = vertex
+                copies.normals[chunk].copyInto(normals, 3 * number, 3 * copy, 3 * copy + 3)
+            }
+            triangles[corner] = number
+        }
+        return mesh.withVertices(sources, triangles, normals)
+    }
+
+    private companion object {
+        /** Number of positions in one task of a thread. */
+        const val CHUNK = 1 shl 16
+
+        /** Number of corners at one position that take long, as each is compared with each. */
+        const val MANY = 32
+    }
 }

@@ -1,5 +1,6 @@
 package dev.lazyz.world.surface
 
+import dev.lazyz.geometry.VertexTransforms
 import dev.lazyz.world.material.TextureMap.UvTransform
 import kotlin.math.sqrt
 
@@ -36,18 +37,15 @@ internal class VertexTangents(private val mesh: Mesh, private val uvs: FloatArra
 
     fun mesh(): Mesh {
         for (first in triangles.indices step 3) add(first)
-        val all = count + sources.size
-        val tangents = FloatArray(4 * all)
-        for (vertex in 0 until all) {
-            val original = if (vertex < count) vertex else sources[vertex - count]
+        val vertices = IntArray(count + sources.size) { if (it < count) it else sources[it - count] }
+        val tangents = FloatArray(4 * vertices.size)
+        for ((vertex, original) in vertices.withIndex()) {
             val own = if (vertex < count) orientation[vertex].toInt() else -orientation[original]
             store(tangents, vertex, if (own < 0) -1f else 1f)
         }
-        return Mesh(
-            gathered(mesh.positions, 3), triangles, mesh.material, mesh.normals?.let { gathered(it, 3) },
-            mesh.uvs?.let { gathered(it, 2) }, mesh.colors?.let { gathered(it, 4) }, mesh.origin,
-            mesh.uvs2?.let { gathered(it, 2) }, tangents, mesh.name,
-        )
+        return mesh.mapped(triangles, tangents = tangents) { numbers, width ->
+            if (sources.isEmpty()) numbers else VertexTransforms.gathered(numbers, vertices, width)
+        }
     }
 
     private fun store(tangents: FloatArray, vertex: Int, w: Float) {
@@ -61,15 +59,6 @@ internal class VertexTangents(private val mesh: Mesh, private val uvs: FloatArra
             tangents[4 * vertex + 2] = (z / length).toFloat()
         }
         tangents[4 * vertex + 3] = w
-    }
-
-    private fun gathered(numbers: FloatArray, width: Int): FloatArray {
-        if (sources.isEmpty()) return numbers
-        val all = numbers.copyOf(width * (count + sources.size))
-        for ((i, source) in sources.withIndex()) {
-            numbers.copyInto(all, width * (count + i), width * source, width * (source + 1))
-        }
-        return all
     }
 
     /** Adds the triangle whose first corner is [first] to the sums of its vertices. */
