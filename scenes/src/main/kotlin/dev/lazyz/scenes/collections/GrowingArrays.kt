@@ -96,3 +96,28 @@ internal fun grownCapacity(size: Int, more: Int): Int {
     if (needed > MOST_ELEMENTS) throw OutOfMemoryError("an array cannot have $needed elements")
     return maxOf(needed, size.toLong() + maxOf(size / 2, LEAST_GROWTH)).coerceAtMost(MOST_ELEMENTS.toLong()).toInt()
 }
+
+/** Counts the ignored elements of a file by kind, for one warning about all of them. Not thread safe. */
+internal class KindCounts {
+    private val counts = LinkedHashMap<String, Int>()
+
+    /** Number of elements that were added. */
+    var total = 0
+        private set
+
+    fun add(kind: String) {
+        total++
+        if (counts.size < MOST_KINDS || kind in counts) counts.merge(kind, 1, Int::plus)
+    }
+
+    /** Lists the kinds in the order of the file, `2 curv, 8 vp`; kinds after the first [MOST_KINDS] are `others`. */
+    override fun toString(): String {
+        val named = counts.entries.joinToString { (kind, count) -> "$count $kind" }
+        val others = total - counts.values.sum()
+        return if (others > 0) "$named and $others others" else named
+    }
+
+    private companion object {
+        const val MOST_KINDS = 8
+    }
+}

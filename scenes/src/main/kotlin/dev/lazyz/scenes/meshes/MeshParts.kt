@@ -49,25 +49,6 @@ internal class MeshParts(
         }
         for (i in 0 until used.size) newNumber[used[i]] = -1
 
-        return Mesh(
-            gather(whole.positions, used, 3),
-            triangles,
-            whole.material,
-            whole.normals?.let { gather(it, used, 3) },
-            whole.uvs?.let { gather(it, used, 2) },
-            whole.colors?.let { gather(it, used, 4) },
-            whole.origin,
-            whole.uvs2?.let { gather(it, used, 2) },
-            whole.tangents?.let { gather(it, used, 4) },
-            whole.name,
-        )
-    }
-
-    private fun gather(array: FloatArray, vertices: Ints, width: Int): FloatArray {
-        val result = FloatArray(width * vertices.size)
-        for (i in 0 until vertices.size) {
-            array.copyInto(result, width * i, width * vertices[i], width * (vertices[i] + 1))
-        }
-        return result
+        return whole.withVertices(used.toArray(), triangles)
     }
 }

@@ -89,14 +89,6 @@ internal object MissingNormals {
             }
             checkNotNull(from.normals).copyInto(normals, 3 * i, 3 * number, 3 * number + 3)
         }
-
-        fun gathered(numbers: FloatArray, width: Int) = FloatArray(width * vertices.size) {
-            numbers[width * vertices.get(it / width, 0) + it % width]
-        }
-        return Mesh(
-            gathered(mesh.positions, 3), triangles, mesh.material, normals, mesh.uvs?.let { gathered(it, 2) },
-            mesh.colors?.let { gathered(it, 4) }, mesh.origin, mesh.uvs2?.let { gathered(it, 2) },
-            mesh.tangents?.let { gathered(it, 4) }, mesh.name,
-        )
+        return mesh.withVertices(IntArray(vertices.size) { vertices.get(it, 0) }, triangles, normals)
     }
 }

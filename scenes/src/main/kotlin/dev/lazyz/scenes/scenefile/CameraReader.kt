@@ -2,12 +2,12 @@ package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.UpAxis
-import dev.lazyz.scenes.json.JsonMembers
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.world.Camera
 import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Viewpoint
 import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /** Reads the cameras of a scene file. */
 internal class CameraReader(private val up: UpAxis) {
@@ -15,35 +15,26 @@ internal class CameraReader(private val up: UpAxis) {
         val kinds = arrayOf("perspective", "orthographic", "screen", "fit")
         val (kind, value) = node.members(*kinds).one(*kinds)
         return when (kind) {
-            "perspective" -> perspective(value)
-            "orthographic" -> orthographic(value)
+            "perspective" -> camera(value, "fieldOfView", Camera.Companion::perspective)
+            "orthographic" -> camera(value, "height", Camera.Companion::orthographic)
             "screen" -> screen(value)
             else -> fit(value)
         }
     }
 
-    private fun perspective(node: JsonNode): Camera {
-        val members = node.members("eye", "target", "up", "fieldOfView", "near", "far")
+    /** Reads a camera that [make] makes of where it is, and of the number called [scale]. */
+    private fun camera(
+        node: JsonNode,
+        scale: String,
+        make: (Vector3dc, Vector3dc, Vector3dc, Double, Double, Double) -> Camera,
+    ): Camera {
+        val members = node.members("eye", "target", "up", scale, "near", "far")
         return node.checked {
-            Camera.perspective(
+            make(
                 vector(members.required("eye")),
                 vector(members.required("target")),
-                upward(members),
-                members.required("fieldOfView").double(),
-                members.required("near").double(),
-                members.required("far").double(),
-            )
-        }
-    }
-
-    private fun orthographic(node: JsonNode): Camera {
-        val members = node.members("eye", "target", "up", "height", "near", "far")
-        return node.checked {
-            Camera.orthographic(
-                vector(members.required("eye")),
-                vector(members.required("target")),
-                upward(members),
-                members.required("height").double(),
+                members["up"]?.let { vector(it) } ?: Vector3d(0.0, 1.0, 0.0),
+                members.required(scale).double(),
                 members.required("near").double(),
                 members.required("far").double(),
             )
@@ -69,8 +60,6 @@ internal class CameraReader(private val up: UpAxis) {
             )
         }
     }
-
-    private fun upward(members: JsonMembers): Vector3d = members["up"]?.let { vector(it) } ?: Vector3d(0.0, 1.0, 0.0)
 
     private fun vector(node: JsonNode): Vector3d = up.toWorld(Vector3d(node.doubles(3)))
 

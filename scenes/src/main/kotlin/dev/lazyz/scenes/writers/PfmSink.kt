@@ -38,11 +38,8 @@ constructor(
     Closeable {
     private val rows: PfmRows
     private val order = RowOrder(width, height)
-    private var isClosed = false
 
     init {
-        require(width > 0 && height > 0) { "an image must have at least one pixel: $width x $height" }
-        require(width <= MAX_WIDTH) { "width must be at most $MAX_WIDTH: $width" }
         rows = PfmRows(output, width, height, channels = 1)
     }
 
@@ -68,19 +65,11 @@ constructor(
      * @throws IOException if rows are missing, or writing to the channel fails; the channel is closed anyway
      */
     @Throws(IOException::class)
-    override fun close() {
-        if (isClosed) return
-        isClosed = true
-        output.use {
-            order.requireComplete()
-        }
-    }
+    override fun close(): Unit = order.close(output)
 
     override fun toString(): String = "PfmSink($width x $height, $order)"
 
     public companion object {
-        private const val MAX_WIDTH = 1 shl 28
-
         /** Returns how many bytes a sink for so many columns holds. */
         @JvmStatic
         public fun memory(width: Int): Long = PfmRows.bytes(width, 1)

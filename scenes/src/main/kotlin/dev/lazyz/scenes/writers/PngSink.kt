@@ -50,11 +50,8 @@ constructor(
     private val blocks: PngBlocks
     private val compressed = ByteArrayOutputStream()
     private val order = RowOrder(width, height)
-    private var isClosed = false
 
     init {
-        require(width > 0 && height > 0) { "an image must have at least one pixel: $width x $height" }
-        require(width <= MAX_WIDTH) { "width must be at most $MAX_WIDTH: $width" }
         chunks = PngChunks(output)
         chunks.describe(width, height, alpha)
         blocks = PngBlocks(width, height, alpha.channels) { take(it) }
@@ -79,15 +76,10 @@ constructor(
      * @throws IOException if rows are missing, or writing to the stream fails; the stream is closed anyway
      */
     @Throws(IOException::class)
-    override fun close() {
-        if (isClosed) return
-        isClosed = true
-        output.use {
-            order.requireComplete()
-            writeCompressed()
-            chunks.write(PngChunks.END, ByteArray(0))
-            output.flush()
-        }
+    override fun close(): Unit = order.close(output) {
+        writeCompressed()
+        chunks.write(PngChunks.END, ByteArray(0))
+        output.flush()
     }
 
     override fun toString(): String = "PngSink($width x $height, $alpha, $order)"
@@ -103,8 +95,6 @@ constructor(
     }
 
     public companion object {
-        private const val MAX_WIDTH = 1 shl 28
-
         /** Returns how many bytes a sink for so many columns and rows holds at most. */
         @JvmStatic
         public fun memory(width: Int, height: Int): Long = PngBlocks.bytes(width, height) + 2L * PngChunks.DATA_SIZE

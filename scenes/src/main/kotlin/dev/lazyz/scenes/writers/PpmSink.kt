@@ -30,11 +30,8 @@ constructor(
     Closeable {
     private val bytes: ByteArray
     private val order = RowOrder(width, height)
-    private var isClosed = false
 
     init {
-        require(width > 0 && height > 0) { "an image must have at least one pixel: $width x $height" }
-        require(width <= MAX_WIDTH) { "width must be at most $MAX_WIDTH: $width" }
         bytes = ByteArray(3 * width)
         output.write("P6\n$width $height\n255\n".toByteArray(Charsets.US_ASCII))
     }
@@ -64,19 +61,11 @@ constructor(
      * @throws IOException if rows are missing, or writing to the stream fails; the stream is closed anyway
      */
     @Throws(IOException::class)
-    override fun close() {
-        if (isClosed) return
-        isClosed = true
-        output.use {
-            order.requireComplete()
-        }
-    }
+    override fun close(): Unit = order.close(output)
 
     override fun toString(): String = "PpmSink($width x $height, $order)"
 
     public companion object {
-        private const val MAX_WIDTH = 1 shl 28
-
         /** Returns how many bytes a sink for so many columns holds. */
         @JvmStatic
         public fun memory(width: Int): Long = 3L * width

@@ -1,13 +1,22 @@
 package dev.lazyz.scenes.writers
 
+import java.io.Closeable
 import java.io.IOException
 
 /**
  * Checks that rows arrive in order and have enough columns. The first row may have any number from 0 on, because an
  * image can be a part of a larger raster.
+ *
+ * @throws IllegalArgumentException if the image has no pixel, or too many columns
  */
 internal class RowOrder(private val width: Int, private val height: Int) {
     private var firstRow = 0
+    private var isClosed = false
+
+    init {
+        require(width > 0 && height > 0) { "an image must have at least one pixel: $width x $height" }
+        require(width <= MAX_WIDTH) { "width must be at most $MAX_WIDTH: $width" }
+    }
 
     /** Number of rows received. */
     var taken: Int = 0
@@ -31,5 +40,19 @@ internal class RowOrder(private val width: Int, private val height: Int) {
         if (taken < height) throw IOException("the image is incomplete: $taken of $height rows")
     }
 
+    /** Closes [output], after [last] has ended the file, unless rows are missing. Closing again does nothing. */
+    fun close(output: Closeable, last: () -> Unit = {}) {
+        if (isClosed) return
+        isClosed = true
+        output.use {
+            requireComplete()
+            last()
+        }
+    }
+
     override fun toString(): String = "$taken rows written"
+
+    private companion object {
+        const val MAX_WIDTH = 1 shl 28
+    }
 }
