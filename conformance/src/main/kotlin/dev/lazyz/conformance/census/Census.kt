@@ -5,12 +5,10 @@ import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.conformance.cases.Rasters
-import dev.lazyz.spi.Spans
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Light
 import dev.lazyz.world.Light.Falloff
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.material.Material

@@ -6,74 +6,53 @@ import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.ArbitrarySupplier
 
-// The generators of the rules' frames.
+/** Generates the frames of a parameter of a rule. */
+internal abstract class Cases(private val frames: () -> Arbitrary<FrameCase>) : ArbitrarySupplier<FrameCase> {
+    override fun get(): Arbitrary<FrameCase> = frames()
+}
 
 /** Frames in screen space. */
-internal class ScreenCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = Frames.screen()
-}
+internal class ScreenCases : Cases({ Frames.screen() })
 
 /** Frames in which the order of submission decides. */
-internal class TiedCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = Frames.tied()
-}
+internal class TiedCases : Cases({ Frames.tied() })
 
 /** Frames of eight primitives and at most two rows. */
-internal class TwoRowsCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> =
-        Frames.of(FrameMix.of(FrameKind.CONFETTI, FrameKind.COPLANAR).sized(9, 2).counted(8, 8))
-}
+internal class TwoRowsCases :
+    Cases({ Frames.of(FrameMix.of(FrameKind.CONFETTI, FrameKind.COPLANAR).sized(9, 2).counted(8, 8)) })
 
 /** Frames of custom primitives. */
-internal class ConfettiCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = Frames.confetti()
-}
+internal class ConfettiCases : Cases({ Frames.confetti() })
 
 /** Frames of 3D scenes. */
-internal class WorldCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = Frames.world()
-}
+internal class WorldCases : Cases({ Frames.world() })
 
 /** Frames of 3D scenes with rows of dozens of samples. */
-internal class LongRowCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = Frames.world(maxSide = 90, maxSurfaces = 4)
-}
+internal class LongRowCases : Cases({ Frames.world(maxSide = 90, maxSurfaces = 4) })
 
 /** Frames of 3D scenes with faces seen from both sides, with rows of dozens of samples. */
-internal class BackFaceCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = WorldFrames.turned(WorldFrames.rasters(64)).withoutEdgeCases()
-}
+internal class BackFaceCases : Cases({ WorldFrames.turned(WorldFrames.rasters(64)).withoutEdgeCases() })
 
 /** Frames of 3D scenes with blended materials. */
-internal class BlendedCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = Frames.blended(maxSide = 40, maxSurfaces = 4)
-}
+internal class BlendedCases : Cases({ Frames.blended(maxSide = 40, maxSurfaces = 4) })
 
 /** Frames of points and meshes. */
-internal class PointCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = WorldFrames.dotted(WorldFrames.rasters(40)).withoutEdgeCases()
-}
+internal class PointCases : Cases({ WorldFrames.dotted(WorldFrames.rasters(40)).withoutEdgeCases() })
 
 /** Frames of lines and meshes. */
-internal class LineCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = WorldFrames.lined(WorldFrames.rasters(40)).withoutEdgeCases()
-}
+internal class LineCases : Cases({ WorldFrames.lined(WorldFrames.rasters(40)).withoutEdgeCases() })
 
 /** Frames of points and lines with blended materials. */
-internal class BlendedPointCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = WorldFrames.blendedDots(WorldFrames.rasters(24)).withoutEdgeCases()
-}
+internal class BlendedPointCases : Cases({ WorldFrames.blendedDots(WorldFrames.rasters(24)).withoutEdgeCases() })
 
 /** Frames of all kinds. */
-internal class MixedCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> =
+internal class MixedCases :
+    Cases({
         Arbitraries.oneOf(listOf(Frames.screen(), Frames.tied(), Frames.confetti(), Frames.world())).withoutEdgeCases()
-}
+    })
 
 /** Frames with some translucent primitives. */
-internal class TranslucentCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = Frames.translucent()
-}
+internal class TranslucentCases : Cases({ Frames.translucent() })
 
 /** A few frames of all kinds. */
 internal class SeveralCases : ArbitrarySupplier<List<FrameCase>> {
@@ -82,14 +61,11 @@ internal class SeveralCases : ArbitrarySupplier<List<FrameCase>> {
 }
 
 /** Frames without primitives. */
-internal class EmptyCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = Frames.screen(maxPrimitives = 0)
-}
+internal class EmptyCases : Cases({ Frames.screen(maxPrimitives = 0) })
 
 /** Frames of one sample, one row or one column. */
-internal class NarrowCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> {
+internal class NarrowCases :
+    Cases({
         val shapes = listOf(Frames.screen(1, 1), Frames.screen(1, 60), Frames.screen(60, 1))
-        return Arbitraries.oneOf(shapes).withoutEdgeCases()
-    }
-}
+        Arbitraries.oneOf(shapes).withoutEdgeCases()
+    })

@@ -16,29 +16,25 @@ import dev.lazyz.conformance.frames.screen.screenCase
 import java.util.Random
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
-import net.jqwik.api.ArbitrarySupplier
 import net.jqwik.api.Combinators
 
 // Frames that are larger than the others in one respect, but still take only milliseconds to render.
 
 /** Frames on rasters of several tiles and bands, for tile sizes of 8 to 256. Most sides are odd. */
-internal class SeveralTilesCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> {
+internal class SeveralTilesCases :
+    Cases({
         val sides = oneOf(65, 67, 127, 129, 131, 128, 257, 263, 293, 521)
         val areas = Combinators.combine(sides, sides).`as` { width, height ->
             LargeArea(width, if (width * height > MOST_SAMPLES) height % 64 + 1 else height)
         }
-        return largeCases(areas)
-    }
+        largeCases(areas)
+    })
 
-    private companion object {
-        const val MOST_SAMPLES = 80_000
-    }
-}
+private const val MOST_SAMPLES = 80_000
 
 /** Frames whose column or row numbers, or both, do not fit into 16 bits. */
-internal class FarAwayCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> {
+internal class FarAwayCases :
+    Cases({
         val across = LargeArea(Raster.MAX_SIDE, Raster.MAX_SIDE, Region(65_500, 65_499, 65_590, 65_570))
         val lastCorner = LargeArea(
             Raster.MAX_SIDE,
@@ -47,9 +43,8 @@ internal class FarAwayCases : ArbitrarySupplier<FrameCase> {
         )
         val farRight = LargeArea(Raster.MAX_SIDE, 64, Region(131_050, 0, 131_133, 61))
         val farDown = LargeArea(64, Raster.MAX_SIDE, Region(3, 32_750, 64, 32_790))
-        return largeCases(oneOf(across, LargeArea(70_001, 1), LargeArea(2, 70_001), lastCorner, farRight, farDown))
-    }
-}
+        largeCases(oneOf(across, LargeArea(70_001, 1), LargeArea(2, 70_001), lastCorner, farRight, farDown))
+    })
 
 /** A raster and the region of it to render. */
 internal class LargeArea(val width: Int, val height: Int, val region: Region = Region(0, 0, width, height))
@@ -100,31 +95,26 @@ private fun Region.placed(random: Random, axis: Int): Int {
 }
 
 /** Frames with up to eighty spans in a row. */
-internal class ManySpansCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> =
+internal class ManySpansCases :
+    Cases({
         Frames.of(FrameMix.of(FrameKind.COMBS, FrameKind.CONFETTI).with(FrameKind.COMBS, 3).sized(300, 9).counted(1, 6))
-}
+    })
 
 /** Frames with dozens of primitives at most samples. */
-internal class DozensOfLayersCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> {
+internal class DozensOfLayersCases :
+    Cases({
         val kinds = FrameMix.of(
             FrameKind.LAYERED, FrameKind.NEARLY_COPLANAR, FrameKind.COPLANAR, FrameKind.CONFETTI,
             FrameKind.INTERPENETRATING,
         )
-        return Frames.of(kinds.sized(12, 9).counted(30, 90).layered(40))
-    }
-}
+        Frames.of(kinds.sized(12, 9).counted(30, 90).layered(40))
+    })
 
 /** Frames of up to nine thousand primitives, mostly more than 12 bits can number. */
-internal class ThousandsOfLayersCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = manyLayers(mixed(1 to ints(1, 3000), 2 to ints(4200, 9000)))
-}
+internal class ThousandsOfLayersCases : Cases({ manyLayers(mixed(1 to ints(1, 3000), 2 to ints(4200, 9000))) })
 
 /** Frames of about a thousand primitives. */
-internal class ThousandLayersCases : ArbitrarySupplier<FrameCase> {
-    override fun get(): Arbitrary<FrameCase> = manyLayers(ints(600, 1200))
-}
+internal class ThousandLayersCases : Cases({ manyLayers(ints(600, 1200)) })
 
 /** Returns frames of [counts] primitives, each of which covers most of the few samples. */
 private fun manyLayers(counts: Arbitrary<Int>): Arbitrary<FrameCase> =

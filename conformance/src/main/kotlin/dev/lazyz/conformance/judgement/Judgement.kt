@@ -7,7 +7,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.oracle.ReferenceRenderer
-import dev.lazyz.spi.Spans
+import dev.lazyz.conformance.oracle.covers
 
 /**
  * Renders [case] with [renderer] and checks the result. Failure messages name the renderer and contain the code of the
@@ -119,11 +119,7 @@ internal fun numbersIn(text: String): List<Int> =
 internal fun Frame.isTie(a: Int, b: Int, x: Int, y: Int): Boolean =
     covers(a, x, y) && covers(b, x, y) && primitives[a].depth(x, y) == primitives[b].depth(x, y)
 
-private fun Frame.covers(index: Int, x: Int, y: Int): Boolean {
-    val spans = Spans()
-    primitives.getOrNull(index)?.spans(y, spans)
-    return (0 until spans.count).any { x >= spans.start(it) && x < spans.end(it) }
-}
+private fun Frame.covers(index: Int, x: Int, y: Int): Boolean = primitives.getOrNull(index)?.covers(x, y) ?: false
 
 /**
  * Thrown when a renderer breaks a rule for [case]. Contains what reports show.

@@ -3,9 +3,7 @@ package dev.lazyz.conformance.oracle
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
-import dev.lazyz.Primitive
 import dev.lazyz.spi.Fragment
-import dev.lazyz.spi.Spans
 
 /**
  * The correct picture of a frame of opaque primitives, according to exact surfaces: an oracle for the whole path from
@@ -52,7 +50,7 @@ public class ExactPicture(private val frame: Frame, private val surfaces: List<E
         var depth = frame.raster.backgroundDepth
         for ((i, surface) in surfaces.withIndex()) {
             val primitive = frame.primitives[i]
-            val isCovered = hasInSpans(primitive, x, y)
+            val isCovered = primitive.covers(x, y)
             when (surface?.coverage(x, y) ?: Coverage.UNCOVERED) {
                 Coverage.COVERED -> if (!isCovered) return "primitive $i must cover it, but does not"
                 Coverage.UNCOVERED -> if (isCovered) return "primitive $i covers it, but must not"
@@ -92,11 +90,4 @@ public class ExactPicture(private val frame: Frame, private val surfaces: List<E
     }
 
     override fun toString(): String = "ExactPicture($frame, ${surfaces.size} surfaces)"
-
-    private companion object {
-        fun hasInSpans(primitive: Primitive, x: Int, y: Int): Boolean {
-            val spans = Spans().also { primitive.spans(y, it) }
-            return (0 until spans.count).any { x >= spans.start(it) && x < spans.end(it) }
-        }
-    }
 }

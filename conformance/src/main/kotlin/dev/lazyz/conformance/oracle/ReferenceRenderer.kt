@@ -4,6 +4,7 @@ import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
+import dev.lazyz.Primitive
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
@@ -77,7 +78,7 @@ public class ReferenceRenderer : Renderer {
             frame.primitives[index].spans(y, spans)
             for (i in 0 until frame.width) {
                 val x = firstColumn + i
-                if (!isCovered(x)) continue
+                if (!spans.contains(x)) continue
                 counters.fragments++
                 counters.depthEvaluations++
                 val own = frame.primitives[index].depth(x, y)
@@ -88,8 +89,6 @@ public class ReferenceRenderer : Renderer {
                 }
             }
         }
-
-        private fun isCovered(x: Int): Boolean = (0 until spans.count).any { x >= spans.start(it) && x < spans.end(it) }
 
         /** Sets every sample of row [y] to the colour of its visible primitive. */
         fun shade(y: Int) {
@@ -110,22 +109,7 @@ public class ReferenceRenderer : Renderer {
         fun blend(y: Int) {
             for (i in 0 until frame.width) {
                 if (primitive[i] == DepthTest.BACKGROUND || !frame.primitives[primitive[i]].isTranslucent) continue
-                argb[i] = blended(fragments(firstColumn + i, y), firstColumn + i, y).toArgb()
-            }
-        }
-
-        /** Returns the indices of all primitives that cover a sample and pass against the background, nearest first. */
-        private fun fragments(x: Int, y: Int): List<Int> {
-            val passing = frame.primitives.indices.filter { index ->
-                spans.clear()
-                frame.primitives[index].spans(y, spans)
-                isCovered(x) && raster.depthTest.prefers(
-                    frame.primitives[index].depth(x, y), index, raster.backgroundDepth, DepthTest.BACKGROUND,
-                )
-            }
-            return passing.sortedWith { a, b ->
-                val depths = listOf(a, b).map { frame.primitives[it].depth(x, y) }
-                if (raster.depthTest.prefers(depths[0], a, depths[1], b)) -1 else 1
+                argb[i] = blended(frame.fragments(firstColumn + i, y), firstColumn + i, y).toArgb()
             }
         }
 
@@ -141,15 +125,30 @@ public class ReferenceRenderer : Renderer {
             return Rgba(fragment.red, fragment.green, fragment.blue, fragment.alpha)
         }
     }
+}
 
-    private companion object {
-        /** Returns whether the fragment ([depth], [index]) hides the other one, as rules 5.1 to 5.3 define. */
-        fun DepthTest.prefers(depth: Int, index: Int, otherDepth: Int, otherIndex: Int): Boolean = when (this) {
-            DepthTest.LESS -> depth < otherDepth || (depth == otherDepth && index < otherIndex)
-            DepthTest.LESS_OR_EQUAL -> depth < otherDepth || (depth == otherDepth && index > otherIndex)
-            DepthTest.GREATER -> depth > otherDepth || (depth == otherDepth && index < otherIndex)
-            DepthTest.GREATER_OR_EQUAL -> depth > otherDepth || (depth == otherDepth && index > otherIndex)
-        }
+/** Returns whether the fragment ([depth], [index]) hides the other one, as rules 5.1 to 5.3 define. */
+private fun DepthTest.prefers(depth: Int, index: Int, otherDepth: Int, otherIndex: Int): Boolean = when (this) {
+    DepthTest.LESS -> depth < otherDepth || (depth == otherDepth && index < otherIndex)
+    DepthTest.LESS_OR_EQUAL -> depth < otherDepth || (depth == otherDepth && index > otherIndex)
+    DepthTest.GREATER -> depth > otherDepth || (depth == otherDepth && index < otherIndex)
+    DepthTest.GREATER_OR_EQUAL -> depth > otherDepth || (depth == otherDepth && index > otherIndex)
+}
+
+private fun Spans.contains(x: Int): Boolean = (0 until count).any { x >= start(it) && x < end(it) }
+
+/** Returns whether the primitive says that it covers a sample. */
+internal fun Primitive.covers(x: Int, y: Int): Boolean = Spans().also { spans(y, it) }.contains(x)
+
+/** Returns the indices of all primitives that cover a sample and pass against the background, nearest first. */
+internal fun Frame.fragments(x: Int, y: Int): List<Int> {
+    val test = raster.depthTest
+    val passing = primitives.indices.filter {
+        primitives[it].covers(x, y) &&
+            test.prefers(primitives[it].depth(x, y), it, raster.backgroundDepth, DepthTest.BACKGROUND)
+    }
+    return passing.sortedWith { a, b ->
+        if (test.prefers(primitives[a].depth(x, y), a, primitives[b].depth(x, y), b)) -1 else 1
     }
 }
 

@@ -7,7 +7,6 @@ import dev.lazyz.Image
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
 import dev.lazyz.spi.Fragment
-import dev.lazyz.spi.Spans
 
 /**
  * The oracle of selectors: lists the fragments of each sample as contract rule 5 defines, and chooses one.
@@ -43,30 +42,15 @@ internal class Selection(val selector: Selector, private val shown: (List<Seen>)
         val depth = IntArray(size) { frame.raster.backgroundDepth }
         val primitive = IntArray(size) { DepthTest.BACKGROUND }
         for (i in 0 until size) {
-            val fragments = fragments(frame, region.columnStart + i % region.width, region.rowStart + i / region.width)
+            val x = region.columnStart + i % region.width
+            val y = region.rowStart + i / region.width
+            val fragments = frame.fragments(x, y).map { Seen(frame, x, y, it) }
             val (seen, color) = (if (fragments.isEmpty()) null else shown(fragments)) ?: continue
             argb[i] = color
             depth[i] = seen.depth
             primitive[i] = seen.index
         }
         return Image(region, argb, depth, primitive, Counters.NONE)
-    }
-
-    private fun fragments(frame: Frame, x: Int, y: Int): List<Seen> {
-        val covering = frame.primitives.indices.filter { index ->
-            val spans = Spans().also { frame.primitives[index].spans(y, it) }
-            (0 until spans.count).any { x >= spans.start(it) && x < spans.end(it) }
-        }
-        val test = frame.raster.depthTest
-        val isLeast = test == DepthTest.LESS || test == DepthTest.LESS_OR_EQUAL
-        val isFirst = test == DepthTest.LESS || test == DepthTest.GREATER
-        val behind = frame.raster.backgroundDepth
-        val all = covering.map { Seen(frame, x, y, it) }
-            .filter { (if (isLeast) it.depth < behind else it.depth > behind) || (!isFirst && it.depth == behind) }
-        val byIndex = if (isFirst) all.sortedBy { it.index } else all.sortedByDescending { it.index }
-
-        // Sorting is stable, so equal depths stay in the order of submission
-        return if (isLeast) byIndex.sortedBy { it.depth } else byIndex.sortedByDescending { it.depth }
     }
 
     companion object {

@@ -1,7 +1,6 @@
 package dev.lazyz.conformance.probes
 
 import dev.lazyz.Capability
-import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.RenderOptions.Coherence

@@ -61,35 +61,48 @@ internal class Trap(
     /** Whether the exception has been thrown. */
     val isSprung: Boolean get() = left.get() < 0
 
-    /** Returns the [answer] to a query of this kind, or throws. */
-    private inline fun <T> after(question: Question, answer: () -> T): T {
+    /** Throws at a query of this kind, after some of them. */
+    private fun ask(question: Question) {
         if (question == this.question && left.decrementAndGet() < 0) {
             left.set(-1)
             throw planted
         }
-        return answer()
     }
 
-    private inner class Trapped(whole: Primitive) : Recovered(whole) {
+    private inner class Trapped(whole: Primitive) : Asking(whole, ::ask) {
         /** Without a linear form, the renderer must call [depth], which may throw. */
         override val depthForm: LinearForm? get() = if (question == Question.DEPTH) null else whole.depthForm
 
-        override val rowStart: Int get() = after(Question.BOUNDS) { whole.rowStart }
-        override val rowEnd: Int get() = after(Question.BOUNDS) { whole.rowEnd }
-        override val columnStart: Int get() = after(Question.BOUNDS) { whole.columnStart }
-        override val columnEnd: Int get() = after(Question.BOUNDS) { whole.columnEnd }
-        override val leastDepth: Int get() = after(Question.BOUNDS) { whole.leastDepth }
-        override val greatestDepth: Int get() = after(Question.BOUNDS) { whole.greatestDepth }
-        override val isTranslucent: Boolean get() = after(Question.TRANSLUCENCY) { whole.isTranslucent }
-
-        override fun spans(y: Int, spans: Spans): Unit = after(Question.SPANS) { whole.spans(y, spans) }
-
-        override fun depth(x: Int, y: Int): Int = after(Question.DEPTH) { whole.depth(x, y) }
-
-        override fun shade(fragment: Fragment): Unit = after(Question.COLOUR) { whole.shade(fragment) }
-
-        override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
+        override val rowStart: Int get() = whole.rowStart.also { ask(Question.BOUNDS) }
+        override val rowEnd: Int get() = whole.rowEnd.also { ask(Question.BOUNDS) }
+        override val columnStart: Int get() = whole.columnStart.also { ask(Question.BOUNDS) }
+        override val columnEnd: Int get() = whole.columnEnd.also { ask(Question.BOUNDS) }
+        override val leastDepth: Int get() = whole.leastDepth.also { ask(Question.BOUNDS) }
+        override val greatestDepth: Int get() = whole.greatestDepth.also { ask(Question.BOUNDS) }
+        override val isTranslucent: Boolean get() = whole.isTranslucent.also { ask(Question.TRANSLUCENCY) }
     }
+}
+
+/** The primitive [whole]; each query passes [ask] before its answer. It computes each depth and each colour. */
+internal open class Asking(whole: Primitive, private val ask: (Question) -> Unit) : Recovered(whole) {
+    override val depthForm: LinearForm? get() = null
+
+    override fun spans(y: Int, spans: Spans) {
+        ask(Question.SPANS)
+        whole.spans(y, spans)
+    }
+
+    override fun depth(x: Int, y: Int): Int {
+        ask(Question.DEPTH)
+        return whole.depth(x, y)
+    }
+
+    override fun shade(fragment: Fragment) {
+        ask(Question.COLOUR)
+        whole.shade(fragment)
+    }
+
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
 }
 
 /** Calls [block] and returns what it throws, or null. */

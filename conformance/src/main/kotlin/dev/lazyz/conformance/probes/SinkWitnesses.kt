@@ -97,7 +97,7 @@ internal class RowWitness(frame: Frame) {
     private val deepest = AtomicInteger(-1)
 
     /** The frame with the observed primitives. */
-    val frame: Frame = Frame(frame.raster, frame.primitives.map { Watched(it) }, frame.region)
+    val frame: Frame = Frame(frame.raster, frame.primitives.map { Queried(it, ::note) }, frame.region)
 
     /** The lowest row that was queried, or -1. */
     val last: Int get() = deepest.get()
@@ -105,37 +105,38 @@ internal class RowWitness(frame: Frame) {
     private fun note(y: Int) {
         deepest.accumulateAndGet(y, ::maxOf)
     }
+}
 
-    private inner class Watched(private val primitive: Primitive) : Primitive by primitive {
-        override fun spans(y: Int, spans: Spans) {
-            note(y)
-            primitive.spans(y, spans)
-        }
+/** The primitive [whole], which passes the row of each query to [onQuery] before it answers. */
+internal class Queried(private val whole: Primitive, private val onQuery: (y: Int) -> Unit) : Primitive by whole {
+    override fun spans(y: Int, spans: Spans) {
+        onQuery(y)
+        whole.spans(y, spans)
+    }
 
-        override fun cursor(y: Int): SpanCursor {
-            note(y)
-            val cursor = primitive.cursor(y)
-            var row = y
-            return SpanCursor {
-                note(row++)
-                cursor.next(it)
-            }
+    override fun cursor(y: Int): SpanCursor {
+        onQuery(y)
+        val cursor = whole.cursor(y)
+        var row = y
+        return SpanCursor {
+            onQuery(row++)
+            cursor.next(it)
         }
+    }
 
-        override fun depth(x: Int, y: Int): Int {
-            note(y)
-            return primitive.depth(x, y)
-        }
+    override fun depth(x: Int, y: Int): Int {
+        onQuery(y)
+        return whole.depth(x, y)
+    }
 
-        override fun shade(fragment: Fragment) {
-            note(fragment.y)
-            primitive.shade(fragment)
-        }
+    override fun shade(fragment: Fragment) {
+        onQuery(fragment.y)
+        whole.shade(fragment)
+    }
 
-        override fun shadingCursor(x: Int, y: Int): ShadingCursor? {
-            note(y)
-            return primitive.shadingCursor(x, y)
-        }
+    override fun shadingCursor(x: Int, y: Int): ShadingCursor? {
+        onQuery(y)
+        return whole.shadingCursor(x, y)
     }
 }
 

@@ -10,8 +10,6 @@ import dev.lazyz.Selector.Cell
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.LinearForm
 import dev.lazyz.spi.ShadingCursor
-import dev.lazyz.spi.SpanCursor
-import dev.lazyz.spi.Spans
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicIntegerArray
 import java.util.concurrent.atomic.AtomicLong
@@ -102,7 +100,9 @@ internal class OutsideWitness(frame: Frame) {
     /** The frame with the observed primitives. */
     val frame: Frame = Frame(
         frame.raster,
-        frame.primitives.mapIndexed { index, it -> if (isOutside(it, frame.region)) Watched(it, index) else it },
+        frame.primitives.mapIndexed { index, it ->
+            if (isOutside(it, frame.region)) Queried(it) { found.set(index) } else it
+        },
         frame.region,
     )
 
@@ -112,33 +112,6 @@ internal class OutsideWitness(frame: Frame) {
     private fun isOutside(primitive: Primitive, region: Region): Boolean =
         maxOf(primitive.rowStart, region.rowStart) >= minOf(primitive.rowEnd, region.rowEnd) ||
             maxOf(primitive.columnStart, region.columnStart) >= minOf(primitive.columnEnd, region.columnEnd)
-
-    private inner class Watched(private val primitive: Primitive, private val index: Int) : Primitive by primitive {
-        override fun spans(y: Int, spans: Spans) {
-            found.set(index)
-            primitive.spans(y, spans)
-        }
-
-        override fun cursor(y: Int): SpanCursor {
-            found.set(index)
-            return primitive.cursor(y)
-        }
-
-        override fun depth(x: Int, y: Int): Int {
-            found.set(index)
-            return primitive.depth(x, y)
-        }
-
-        override fun shade(fragment: Fragment) {
-            found.set(index)
-            primitive.shade(fragment)
-        }
-
-        override fun shadingCursor(x: Int, y: Int): ShadingCursor? {
-            found.set(index)
-            return primitive.shadingCursor(x, y)
-        }
-    }
 
     private companion object {
         const val NONE = -1

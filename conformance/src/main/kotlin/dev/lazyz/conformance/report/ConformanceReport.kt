@@ -231,8 +231,8 @@ internal class ReportJUnit(private val report: ConformanceReport) {
     private fun details(result: RuleResult): String = listOfNotNull(
         result.message,
         result.failure?.message?.takeIf { it != result.message },
-        result.rule.intent.takeIf { it.isNotEmpty() }?.let { "why: $it" },
-        result.look.takeIf { it.isNotEmpty() }?.let { "look at: $it" },
+        "why: ${result.rule.intent}",
+        "look at: ${result.look}",
         "reproduce: ${report.commandFor(result.rule)}",
     ).joinToString("\n")
 

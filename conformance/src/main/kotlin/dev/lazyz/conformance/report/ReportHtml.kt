@@ -83,8 +83,8 @@ internal class ReportHtml(private val report: ConformanceReport) {
             appendLine("<pre>${escaped(failure.message)}</pre>")
         }
         appendLine("<dl>")
-        if (rule.intent.isNotEmpty()) entry("Why (${rule.level})", escaped(rule.intent))
-        if (result.look.isNotEmpty()) entry("Look at", escaped(result.look))
+        entry("Why (${rule.level})", escaped(rule.intent))
+        entry("Look at", escaped(result.look))
         entry("Reproduce with", "<code>${escaped(report.commandFor(rule))}</code>")
         appendLine("</dl>")
         appendLine("</section>")

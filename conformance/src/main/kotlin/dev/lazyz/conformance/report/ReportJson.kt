@@ -70,8 +70,8 @@ internal class ReportJson(private val report: ConformanceReport) {
         put("outcome", key(result.outcome))
         put("tries", result.tries)
         put("milliseconds", result.milliseconds)
-        if (result.rule.intent.isNotEmpty()) put("intent", result.rule.intent)
-        if (result.look.isNotEmpty()) put("look", result.look)
+        put("intent", result.rule.intent)
+        put("look", result.look)
         if (result.message.isNotEmpty()) put("message", result.message)
         put("distribution", distribution(result.distribution))
         result.failure?.let { put("failure", failure(it, result.rule)) }

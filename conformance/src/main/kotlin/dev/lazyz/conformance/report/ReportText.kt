@@ -47,7 +47,7 @@ internal class ReportText(private val report: ConformanceReport, private val isO
         appendLine(if (causes.size == 1) "Likely cause" else "Likely causes, best first")
         for ((i, cause) in causes.withIndex()) {
             appendLine("  ${i + 1}. ${cause.rule}: ${cause.why}")
-            if (cause.look.isNotEmpty()) appendLine("     ${cause.look}")
+            appendLine("     ${cause.look}")
         }
     }
 
@@ -79,8 +79,8 @@ internal class ReportText(private val report: ConformanceReport, private val isO
         message(result.message, result.rule)
         val failure = result.failure
         if (failure != null && failure.message != result.message) message(failure.message, result.rule)
-        if (result.rule.intent.isNotEmpty()) appendLine("  why         ${result.rule.intent}")
-        if (result.look.isNotEmpty()) appendLine("  look at     ${result.look}")
+        appendLine("  why         ${result.rule.intent}")
+        appendLine("  look at     ${result.look}")
         if (failure?.code != null) appendLine("  scene file  ${sceneFile(failure, result.rule)}")
         appendLine("  reproduce   ${report.commandFor(result.rule)}")
     }

@@ -1,6 +1,7 @@
 package dev.lazyz.conformance.results
 
 import dev.lazyz.conformance.rules.AllRules
+import dev.lazyz.conformance.rules.FIXED
 import dev.lazyz.conformance.rules.Level
 import dev.lazyz.conformance.rules.Rule
 import dev.lazyz.conformance.rules.Symptom
@@ -12,32 +13,34 @@ import java.nio.file.FileAlreadyExistsException
 import java.nio.file.FileSystemException
 import java.nio.file.NoSuchFileException
 import java.nio.file.NotDirectoryException
-import net.jqwik.api.Property
 
 /**
  * A rule of the suite, for use in reports. Immutable and thread safe.
  *
  * @property name the method's name, such as `rule_5_2_tiesGoToTheFirstSubmitted`: unique, and used in waivers
  * @property level how binding the rule is
- * @property intent why the rule exists, in one sentence; empty if not given
- * @property look where to look in the renderer when the rule fails, in one sentence; empty if not given
+ * @property intent why the rule exists, in one sentence
+ * @property look where to look in the renderer when the rule fails, in one sentence
  */
 public class SuiteRule private constructor(internal val method: Method) {
-    private val rule: Rule? = method.getAnnotation(Rule::class.java)
+    private val rule: Rule = method.getAnnotation(Rule::class.java)
 
     public val name: String get() = method.name
 
-    public val level: Level get() = rule?.level ?: Level.MUST
+    public val level: Level get() = rule.level
 
-    public val intent: String get() = rule?.intent.orEmpty()
+    public val intent: String get() = rule.intent
 
-    public val look: String get() = rule?.look.orEmpty()
+    public val look: String get() = rule.look
 
     /** Symptoms of the mistakes that the rule tests for, see [Rule.about]. */
-    internal val about: Set<Symptom> get() = rule?.about.orEmpty().toSet()
+    internal val about: Set<Symptom> get() = rule.about.toSet()
+
+    /** How often it is tried by default. */
+    internal val tries: Int get() = if (method.parameterCount > 0) rule.tries else 1
 
     /** Whether other rules are named before it, see [Rule.isSpecial]. */
-    internal val isSpecial: Boolean get() = rule?.isSpecial == true
+    internal val isSpecial: Boolean get() = rule.isSpecial
 
     /** The rule's number in `docs/contract.md`, such as `5.2`. Several tests may have the same number. */
     public val number: String get() = numbers().joinToString(".")
@@ -61,7 +64,7 @@ public class SuiteRule private constructor(internal val method: Method) {
         /** All rules of the suite, ordered by number and then by name. */
         @JvmStatic
         public val all: List<SuiteRule> = AllRules::class.java.methods
-            .filter { it.isAnnotationPresent(Property::class.java) && it.name.startsWith(PREFIX) }
+            .filter { it.isAnnotationPresent(Rule::class.java) }
             .map { SuiteRule(it) }
             .sortedWith(compareBy({ it.numbers().first() }, { it.numbers().getOrElse(1) { 0 } }, { it.name }))
 
@@ -75,8 +78,7 @@ public class SuiteRule private constructor(internal val method: Method) {
             all.filter { it.name == nameOrNumber || it.number == nameOrNumber }
 
         /** The suite's default seed. */
-        internal val fixedSeed: Long =
-            all.first { it.method.parameterCount > 0 }.method.getAnnotation(Property::class.java).seed.toLong()
+        internal val fixedSeed: Long = FIXED.toLong()
     }
 }
 

@@ -27,19 +27,15 @@ import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.judgement.isTie
 import dev.lazyz.conformance.probes.closeToAWall
 import java.util.Random
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /** Rules about frames that are changed in a way whose effect on the picture is known. Part of `RendererConformance`. */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface ChangeRules : RulesForOne {
     /** Moving all primitives by whole pixels moves the picture and changes nothing else. */
     @Rule(
         intent = "A move by whole pixels moves the picture and changes nothing else.",
         look = "Look for results that depend on absolute x or y: blocks, tiles, and linear forms in floating point.",
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_1_3_movingByWholePixelsMovesThePicture(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -60,7 +56,6 @@ public sealed interface ChangeRules : RulesForOne {
         look = "Look at the first and last column of a span, and at state that is carried from one span to the next.",
         about = [Symptom.COVERAGE],
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_5_primitivesCutInTwoGiveTheSamePicture(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -82,7 +77,6 @@ public sealed interface ChangeRules : RulesForOne {
         intent = "Hidden surfaces have no effect on the picture.",
         look = "Look at rejection by bounds: the hidden surface has loose bounds and lies one unit behind the picture.",
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_hiddenSurfacesChangeNothing(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
         val before = Judgement(renderer, case).rendering
@@ -98,7 +92,6 @@ public sealed interface ChangeRules : RulesForOne {
         intent = "Threads, tiles and machines can render parts of a frame and merge the results in any order.",
         look = "Primitives that Frame.keeping leaves out must keep their indices.",
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_mergedPartsEqualTheWholePicture(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
         val even = Judgement(renderer, case.keeping(0)).equalsReference().rendering.image
@@ -113,7 +106,6 @@ public sealed interface ChangeRules : RulesForOne {
         look = "Look at ties between a primitive and its copy, and at tables keyed by the primitive instead of its " +
             "index.",
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_2_duplicatesChangeNothing(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
         val test = case.frame.raster.depthTest
@@ -131,7 +123,6 @@ public sealed interface ChangeRules : RulesForOne {
             "order, state.",
         about = [Symptom.ORDER],
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_4_orderIsIrrelevantWithoutTies(
         @ForAll(supplier = ScreenCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -160,7 +151,6 @@ public sealed interface ChangeRules : RulesForOne {
             "edge.",
         about = [Symptom.REGION],
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_4_regionEqualsThatPartOfThePicture(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -174,9 +164,8 @@ public sealed interface ChangeRules : RulesForOne {
     @Rule(
         intent = "A region may begin at any row and column, also within what a renderer takes for a block or a tile.",
         look = "Look for blocks of rows that are counted from the raster in one place, and from the region in another.",
-        about = [Symptom.REGION],
+        about = [Symptom.REGION], tries = 20,
     )
-    @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_4_regionsOfManyLayersAreDrawnCorrectly(@ForAll salt: Long) {
         Judgement(renderer(), closeToAWall(salt).withinAny(Random(salt))).equalsReference()
     }
@@ -187,9 +176,8 @@ public sealed interface ChangeRules : RulesForOne {
             "`configured` leaves its renderer as it is.",
         look = "The message names the options: compare stepped colours with direct ones, check the edges of tiles, " +
             "and let `configured` return another renderer.",
-        about = [Symptom.OPTIONS],
+        about = [Symptom.OPTIONS], tries = 50,
     )
-    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_optionsChangeNothing(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         for (coherence in Coherence.entries) {
             for (budget in listOf(null, 0L, 1000L)) {

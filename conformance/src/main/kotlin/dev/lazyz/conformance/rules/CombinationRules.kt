@@ -11,12 +11,9 @@ import dev.lazyz.conformance.probes.Concurrency
 import dev.lazyz.conformance.probes.Trap
 import dev.lazyz.conformance.probes.failsAsPlanned
 import dev.lazyz.conformance.probes.threads.atOnce
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /** The rule that combines everything. Part of `RendererConformance`. */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface CombinationRules : RulesForOne {
     /** Renders larger frames of all kinds, whole or in parts, with options, glass, selectors, failures and threads. */
     @Rule(
@@ -26,7 +23,6 @@ public sealed interface CombinationRules : RulesForOne {
             "they matter.",
         isSpecial = true,
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_combinationsAreRight(
         @ForAll(supplier = Combination.Cases::class) cases: List<FrameCase>,
         @ForAll(supplier = Combination.Choices::class) choices: List<Int>,

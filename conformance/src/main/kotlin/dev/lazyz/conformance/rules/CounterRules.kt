@@ -17,22 +17,18 @@ import dev.lazyz.conformance.frames.TranslucentCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.inTime
-import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.ExpectedSteps
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.DepthWitness
 import dev.lazyz.conformance.probes.ShadingWitness
 import dev.lazyz.conformance.probes.memory.holdsWhatItReports
 import java.util.Random
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /**
  * Rules about counters: they count what happens, and have the same meaning for all renderers. Part of
  * `RendererConformance`.
  */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface CounterRules : RulesForOne {
     /** All submitted primitives are counted, even those that cover nothing, and all shading calls made are counted. */
     @Rule(
@@ -40,7 +36,6 @@ public sealed interface CounterRules : RulesForOne {
         look = "Count exactly where Primitive.shade is called, and add up the counters of all threads.",
         about = [Symptom.COUNTERS],
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_countersEqualTheObservedCalls(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val witness = ShadingWitness(case.frame)
         val judgement = Judgement(renderer(), case.watched(witness.frame))
@@ -60,7 +55,6 @@ public sealed interface CounterRules : RulesForOne {
         look = "Count where spans are read. Whole rows or tiles are easily missed, and parts outside the region " +
             "counted.",
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_fragmentsEqualTheCoveredSamples(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Int,
@@ -100,7 +94,6 @@ public sealed interface CounterRules : RulesForOne {
         intent = "A fragment passes at most once, and where nothing is covered there is no depth to compute.",
         look = "Count a pass where a fragment wins the depth comparison, not where it is looked up later.",
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_passesAreAtMostTheFragments(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val judgement = Judgement(renderer(), case)
         val counters = judgement.rendering.counters
@@ -118,11 +111,10 @@ public sealed interface CounterRules : RulesForOne {
         intent = "A renderer with COHERENCE counts its starts and steps; with DIRECT it never steps.",
         look = "A start is a call of Primitive.shade or a new ShadingCursor. Each ShadingCursor.step is a step, also " +
             "across gaps. The longest chain is the greatest number of steps between two calls of a cursor.",
+        tries = 50,
     )
-    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_startsAndStepsAreCounted(@ForAll(supplier = MixedCases::class) case: FrameCase) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.COHERENCE)
+        val renderer = renderer(Capability.COHERENCE)
         for (coherence in Coherence.entries) {
             val witness = ShadingWitness(case.frame)
             val configured = renderer.configured(RenderOptions(coherence, threads = 1))
@@ -146,15 +138,13 @@ public sealed interface CounterRules : RulesForOne {
         "A renderer with COHERENCE steps along rows as its latest options request: INCREMENTAL across all gaps, " +
             "ADAPTIVE across gaps of at most shadingStartCost columns. So do the layers of blended samples.",
         look = "A gap equal to shadingStartCost is stepped across; check also which options configured() keeps.",
+        tries = 50,
     )
-    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_shadingStepsFollowTheOptions(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Int,
     ) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.COHERENCE)
-        requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)
+        val renderer = renderer(Capability.COHERENCE, Capability.SHADES_ONLY_VISIBLE)
         val isBlending = Capability.TRANSPARENCY in renderer.capabilities
         var last = renderer
         for (each in listOfNotNull(case.asOpaque(), case.glazed(salt).takeIf { isBlending })) {
@@ -193,7 +183,6 @@ public sealed interface CounterRules : RulesForOne {
         look = "Look for samples that are decided without being counted: whole blocks, runs, the last remaining " +
             "fragment.",
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_2_visibleSamplesPassTheTestAndAreShaded(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val judgement = Judgement(renderer(), case)
         val visible = judgement.rendering.image.visible
@@ -207,9 +196,8 @@ public sealed interface CounterRules : RulesForOne {
     @Rule(
         intent = "Depths that a primitive computes are an essential part of the cost, so each is counted.",
         look = "Count each call of Primitive.depth; steps along a linear form are counted, too.",
-        about = [Symptom.COUNTERS],
+        about = [Symptom.COUNTERS], tries = 30,
     )
-    @Property(tries = 30, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_depthsThatAreAskedForAreCounted(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
         val witness = DepthWitness(case.frame)
@@ -226,7 +214,6 @@ public sealed interface CounterRules : RulesForOne {
         look = "Count each array when it is allocated, and add up what all threads hold at the same time.",
         isSpecial = true,
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_peakBytesAreWhatIsHeld() {
         holdsWhatItReports(renderer())
     }
@@ -236,8 +223,8 @@ public sealed interface CounterRules : RulesForOne {
         level = Level.SHOULD,
         intent = "Users choose a renderer by its cost, so a renderer reports its working memory.",
         look = "Add up the arrays that are held at the same time, and set Counters.peakBytes to the greatest sum.",
+        tries = 50,
     )
-    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_3_workingMemoryIsReported(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val judgement = Judgement(renderer(), case)
         val isSeen = judgement.rendering.image.visible > 0
@@ -251,13 +238,11 @@ public sealed interface CounterRules : RulesForOne {
         intent = "A renderer with SHADES_ONLY_VISIBLE shades each visible sample once, and nothing else.",
         look = "Shade after all fragments of a sample have been compared; look for samples that are shaded twice.",
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_2_promiseToShadeOnlyTheVisibleIsKept(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
     ) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)
+        val renderer = renderer(Capability.SHADES_ONLY_VISIBLE)
         val random = Random(salt)
         val part = if (random.nextBoolean()) case.withinAny(random) else case
         val witness = ShadingWitness(part.frame)
@@ -273,16 +258,13 @@ public sealed interface CounterRules : RulesForOne {
         intent = "When it blends, a renderer with SHADES_ONLY_VISIBLE shades only the fragments that show through.",
         look = "Stop at the first opaque fragment and at transmittance 0, and shade a fragment only when it is " +
             "blended.",
-        about = [Symptom.COUNTERS],
+        about = [Symptom.COUNTERS], tries = 60,
     )
-    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_2_blendedFragmentsAreShadedOnlyIfVisible(
         @ForAll(supplier = TranslucentCases::class) case: FrameCase,
         @ForAll salt: Long,
     ) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.TRANSPARENCY)
-        requireDeclared(renderer, Capability.SHADES_ONLY_VISIBLE)
+        val renderer = renderer(Capability.TRANSPARENCY, Capability.SHADES_ONLY_VISIBLE)
         for (each in listOf(case, case.dazzling(), case.withinAny(Random(salt)))) {
             val showing = Recording.of(ReferenceRenderer(), each.frame).counters.shadingCalls
             val witness = ShadingWitness(each.frame)

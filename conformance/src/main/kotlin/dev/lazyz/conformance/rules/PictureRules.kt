@@ -30,24 +30,19 @@ import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.NotDeclared
 import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.refused
-import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.smallWorlds
 import java.util.Random
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /** Rules about the picture: it equals the oracle's picture, bit for bit. Part of `RendererConformance`. */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface PictureRules : RulesForOne {
     /** Frames of [Confetti]: many spans in a row, loose bounds, and depth without a linear form. */
     @Rule(
         intent = "Custom primitives cover their spans: many spans in a row, loose bounds, depth without a linear form.",
         look = "Look for code that assumes one span per row, tight bounds, or a depthForm that is not null.",
-        about = [Symptom.OWN_PRIMITIVE],
+        about = [Symptom.OWN_PRIMITIVE], tries = 200,
     )
-    @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_8_customPrimitivesCoverTheirSpans(@ForAll(supplier = ConfettiCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }
@@ -57,9 +52,8 @@ public sealed interface PictureRules : RulesForOne {
         intent = "Bounds only limit where a custom primitive may cover samples; they can be larger than any raster.",
         look = "Look for differences of bounds that overflow, and limit bounds to the region before you count tiles.",
         about = [Symptom.OWN_PRIMITIVE],
-        isSpecial = true,
+        isSpecial = true, tries = 40,
     )
-    @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_8_boundsMayBeLargerThanTheRaster(@ForAll(supplier = ConfettiCases::class) case: FrameCase) {
         val unbounded = with(case.frame) { Frame(raster, primitives.map(::Unbounded), region) }
         Judgement(renderer(), case.watched(unbounded), "bounds of 2^30 columns and rows").equalsReference()
@@ -73,7 +67,6 @@ public sealed interface PictureRules : RulesForOne {
         look = "Initialise each sample with Raster.backgroundDepth, and compare it like any other fragment.",
         about = [Symptom.BACKGROUND],
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_4_3_backgroundIsVisibleWhereNoFragmentPasses(
         @ForAll(supplier = ScreenCases::class) case: FrameCase,
     ) {
@@ -89,9 +82,8 @@ public sealed interface PictureRules : RulesForOne {
     @Rule(
         intent = "The visible fragment of a sample is the minimum by (depth, submission index), exactly.",
         look = "Check the sample that differs: is it covered, is its depth exact, is it compared with all others?",
-        about = [Symptom.PICTURE],
+        about = [Symptom.PICTURE], tries = 500,
     )
-    @Property(tries = 500, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_nearestFragmentIsVisible(@ForAll(supplier = ScreenCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }
@@ -100,9 +92,8 @@ public sealed interface PictureRules : RulesForOne {
     @Rule(
         intent = "Meshes, polygons and spheres seen through a camera, clipped and masked, show the nearest surface.",
         look = "If frames in screen space pass, check spheres (no depthForm), masks (many spans) and clipped polygons.",
-        about = [Symptom.IN_SPACE],
+        about = [Symptom.IN_SPACE], tries = 250,
     )
-    @Property(tries = 250, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_nearestFragmentIsVisibleInScenes(@ForAll(supplier = WorldCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }
@@ -111,9 +102,8 @@ public sealed interface PictureRules : RulesForOne {
     @Rule(
         intent = "Equal depths are decided by the order of submission, regardless of the order of evaluation.",
         look = "Compare DepthTest.key or the pair (depth, index); comparing only depths with < or <= is not enough.",
-        about = [Symptom.TIE],
+        about = [Symptom.TIE], tries = 200,
     )
-    @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_2_tiesGoToTheFirstSubmitted(@ForAll(supplier = TiedCases::class) case: FrameCase) {
         val usual = case.frame.raster.withConvention(DepthConvention.SMALLER_IS_NEARER)
         Judgement(renderer(), case.on(usual)).equalsReference()
@@ -123,9 +113,8 @@ public sealed interface PictureRules : RulesForOne {
     @Rule(
         intent = "All four depth tests are total orders, under either convention.",
         look = "Take the order from Raster.depthTest alone, not from the convention or from its default test.",
-        about = [Symptom.AGAINST_CONVENTION, Symptom.DEPTH_TEST, Symptom.GREATEST_WINS],
+        about = [Symptom.AGAINST_CONVENTION, Symptom.DEPTH_TEST, Symptom.GREATEST_WINS], tries = 50,
     )
-    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_3_everyDepthTestIsObeyed(
         @ForAll(supplier = TiedCases::class) tied: FrameCase,
         @ForAll(supplier = MixedCases::class) mixed: FrameCase,
@@ -150,7 +139,6 @@ public sealed interface PictureRules : RulesForOne {
         look = "Look at the two primitives of the printed frame: which is nearer, or, at equal depth, which comes " +
             "first?",
     )
-    @Property(tries = 1)
     public fun rule_5_3_allPairsOnATinyRasterAreDrawnCorrectly() {
         smallWorlds(renderer())
     }
@@ -159,14 +147,12 @@ public sealed interface PictureRules : RulesForOne {
     @Rule(
         intent = "A renderer with TRANSPARENCY blends in exact order of depth, with a fixed order of summation.",
         look = "Sort a sample's fragments by key, stop at the first opaque one, and sum up as rule 5.5 defines.",
-        about = [Symptom.TRANSLUCENT],
+        about = [Symptom.TRANSLUCENT], tries = 200,
     )
-    @Property(tries = 200, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_translucentPrimitivesBlendInOrderOfDepth(
         @ForAll(supplier = TranslucentCases::class) case: FrameCase,
     ) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.TRANSPARENCY)
+        val renderer = renderer(Capability.TRANSPARENCY)
         Judgement(renderer, case).equalsReference().rowsInOrder()
     }
 
@@ -175,9 +161,8 @@ public sealed interface PictureRules : RulesForOne {
         intent = "An error is better than a wrong picture without notice.",
         look = "Check Frame.hasTranslucency before the first row, and throw an IllegalArgumentException whose " +
             "message has the primitive's index and the remedy.",
-        about = [Symptom.TRANSLUCENT],
+        about = [Symptom.TRANSLUCENT], tries = 50,
     )
-    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_6_renderersWithoutTransparencyRefuseTranslucentFrames(
         @ForAll(supplier = TranslucentCases::class) case: FrameCase,
     ) {
@@ -190,9 +175,8 @@ public sealed interface PictureRules : RulesForOne {
     @Rule(
         intent = "Which frames a renderer accepts depends neither on the region nor on what is hidden.",
         look = "Check all primitives of the frame, including those outside the region and those hidden by others.",
-        about = [Symptom.TRANSLUCENT],
+        about = [Symptom.TRANSLUCENT], tries = 20,
     )
-    @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_6_hiddenTranslucentPrimitivesAreRefused(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -209,7 +193,6 @@ public sealed interface PictureRules : RulesForOne {
         look = "Number primitives by their position in Frame.primitives, before discarding any of them.",
         about = [Symptom.EMPTY_PRIMITIVE],
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_4_primitivesThatCoverNothingKeepTheirIndex(
         @ForAll(supplier = ScreenCases::class) case: FrameCase,
     ) {
@@ -220,8 +203,8 @@ public sealed interface PictureRules : RulesForOne {
     @Rule(
         intent = "A primitive is identified by its index alone: two may be equal, and one may be submitted twice.",
         look = "Look for sets and maps of primitives, for indexOf, and for comparisons of primitives with ==.",
+        tries = 60,
     )
-    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_4_equalPrimitivesAreDrawnSeparately(@ForAll(supplier = TiedCases::class) case: FrameCase) {
         val renderer = renderer()
         Judgement(renderer, case.alike()).equalsReference()
@@ -234,9 +217,8 @@ public sealed interface PictureRules : RulesForOne {
     @Rule(
         intent = "Indices have 31 bits: a frame may have more primitives than a short or a float can represent.",
         look = "Look at the width of the index in a packed key, and at every cast on its way to the row.",
-        about = [Symptom.MANY_PRIMITIVES],
+        about = [Symptom.MANY_PRIMITIVES], tries = 8,
     )
-    @Property(tries = 8, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_4_indicesAreNotTruncated(@ForAll(supplier = TiedCases::class) case: FrameCase) {
         val renderer = renderer()
         val many = case.behindMany()
@@ -252,9 +234,8 @@ public sealed interface PictureRules : RulesForOne {
     @Rule(
         intent = "An empty frame is valid: it shows the background, and nothing is counted.",
         look = "Look for a first(), a minimum or a division that needs at least one primitive.",
-        about = [Symptom.NO_PRIMITIVES],
+        about = [Symptom.NO_PRIMITIVES], tries = 25,
     )
-    @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_6_framesWithoutPrimitivesShowTheBackground(
         @ForAll(supplier = EmptyCases::class) case: FrameCase,
     ) {
@@ -271,7 +252,6 @@ public sealed interface PictureRules : RulesForOne {
         look = "Look at sizes that are rounded up to blocks, at differences to the next row, at loops that start at 1.",
         about = [Symptom.NARROW],
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_6_narrowRastersAreDrawnCorrectly(@ForAll(supplier = NarrowCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }

@@ -6,13 +6,9 @@ import dev.lazyz.conformance.frames.BlendedPointCases
 import dev.lazyz.conformance.frames.LineCases
 import dev.lazyz.conformance.frames.PointCases
 import dev.lazyz.conformance.judgement.Judgement
-import dev.lazyz.conformance.judgement.requireDeclared
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /** Rules about points and lines, which have a size in pixels. Part of `RendererConformance`. */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface PointRules : RulesForOne {
     /** Clouds of points, most of which cover one or a few samples. */
     @Rule(
@@ -21,7 +17,6 @@ public sealed interface PointRules : RulesForOne {
         about = [Symptom.IN_SPACE],
         isSpecial = true,
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_9_pointsAreDrawnCorrectly(@ForAll(supplier = PointCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }
@@ -33,7 +28,6 @@ public sealed interface PointRules : RulesForOne {
         about = [Symptom.IN_SPACE],
         isSpecial = true,
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_10_linesAreDrawnCorrectly(@ForAll(supplier = LineCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }
@@ -43,12 +37,10 @@ public sealed interface PointRules : RulesForOne {
         intent = "Translucent points and lines blend as polygons do.",
         look = "Sort a sample's fragments by their keys, regardless of the kind of primitive.",
         about = [Symptom.TRANSLUCENT],
-        isSpecial = true,
+        isSpecial = true, tries = 60,
     )
-    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_pointsAndLinesBlend(@ForAll(supplier = BlendedPointCases::class) case: FrameCase) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.TRANSPARENCY)
+        val renderer = renderer(Capability.TRANSPARENCY)
         Judgement(renderer, case).equalsReference()
     }
 }

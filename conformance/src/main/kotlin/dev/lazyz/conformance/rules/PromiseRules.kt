@@ -27,14 +27,11 @@ import dev.lazyz.conformance.probes.threads.severalThreads
 import dev.lazyz.conformance.probes.varied
 import dev.lazyz.conformance.probes.variedFor
 import java.util.Random
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /**
  * Rules about [Capability]s. They apply only to renderers that declare the capability. Part of `RendererConformance`.
  */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface PromiseRules : RulesForOne {
     /** Working memory is the same for few and for many rows, according to the counters and to the heap. */
     @Rule(
@@ -42,10 +39,8 @@ public sealed interface PromiseRules : RulesForOne {
         look = "Look for arrays sized by the height of the region, and for rows that are kept after they are " +
             "delivered.",
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_promiseOfConstantMemoryIsKept() {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.CONSTANT_MEMORY)
+        val renderer = renderer(Capability.CONSTANT_MEMORY)
         constantMemory(renderer)
     }
 
@@ -56,7 +51,6 @@ public sealed interface PromiseRules : RulesForOne {
         look = "Deliver a row as soon as it is finished; query a primitive's spans for a row when that row is " +
             "rendered.",
     )
-    @Property(tries = 100, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_promiseToStreamRowsIsKept(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -77,8 +71,8 @@ public sealed interface PromiseRules : RulesForOne {
     @Rule(
         intent = "A renderer with STREAMS_ROWS does the work of the rows that the sink accepts, and no more.",
         look = "When the sink throws, rethrow at once: do not finish, start or fetch a row in a finally block.",
+        tries = 50,
     )
-    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_rowsAfterTheSinkStopsAreNotRendered(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -101,7 +95,6 @@ public sealed interface PromiseRules : RulesForOne {
         look = "Call RenderOptions.requireSupportedBy in configured(); do not override it if there is nothing to " +
             "configure.",
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_optionsThatAreNotSupportedAreRefused() {
         val usual = RenderOptions()
         val options = Coherence.entries.map { usual.withCoherence(it) } +
@@ -123,10 +116,8 @@ public sealed interface PromiseRules : RulesForOne {
         intent = "A renderer with PARALLEL uses the threads that it is given, and never more of them at the same time.",
         look = "Several threads must query primitives or shade; count those that work, including the caller.",
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_promiseToWorkInParallelIsKept() {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.PARALLEL)
+        val renderer = renderer(Capability.PARALLEL)
         for (kind in KindOfWork.entries) {
             if (!kind.isFor(renderer)) continue
             severalThreads(renderer, kind)
@@ -138,14 +129,13 @@ public sealed interface PromiseRules : RulesForOne {
     @Rule(
         intent = "A renderer with PARALLEL does the same work with any number of threads, so counters are comparable.",
         look = "Look for work that depends on which thread comes first, and for counters that threads share.",
+        tries = 25,
     )
-    @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_countersDoNotDependOnThreads(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
     ) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.PARALLEL)
+        val renderer = renderer(Capability.PARALLEL)
         val varied = case.variedFor(renderer, Random(salt))
         val judgements = listOf(1, 2, 5).map { threads ->
             val options = RenderOptions(Coherence.INCREMENTAL, threads = threads, tileSize = 8).supportedBy(renderer)
@@ -162,14 +152,13 @@ public sealed interface PromiseRules : RulesForOne {
     @Rule(
         intent = "A renderer with MEMORY_BUDGET holds no more than the budget, in addition to the image's memory.",
         look = "Free before you allocate, count memory before you hold it, and do without it where nothing fits.",
+        tries = 60,
     )
-    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_promiseToStayWithinTheBudgetIsKept(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll choice: Int,
     ) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.MEMORY_BUDGET)
+        val renderer = renderer(Capability.MEMORY_BUDGET)
         val coherence = Coherence.entries[Math.floorMod(choice, Coherence.entries.size)]
         var least = Long.MAX_VALUE
         for (budget in listOf(0L, 100L, 400L, 700L, 1000L, 1500L, 10_000L, Long.MAX_VALUE)) {
@@ -209,10 +198,8 @@ public sealed interface PromiseRules : RulesForOne {
         look = "Look for memory that is held but not counted: objects, lists of suspended colours, arrays that only " +
             "grow.",
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_heapStaysWithinTheBudget() {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.MEMORY_BUDGET)
+        val renderer = renderer(Capability.MEMORY_BUDGET)
         budgetOnTheHeap(renderer)
     }
 
@@ -222,10 +209,8 @@ public sealed interface PromiseRules : RulesForOne {
             "number.",
         look = "Look for lists, bins or arrays of all primitives, and for records of hidden ones.",
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_promiseToStreamPrimitivesIsKept() {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.STREAMS_PRIMITIVES)
+        val renderer = renderer(Capability.STREAMS_PRIMITIVES)
         constantMemoryInPrimitives(renderer)
     }
 

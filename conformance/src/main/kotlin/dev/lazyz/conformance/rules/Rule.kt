@@ -1,7 +1,11 @@
 package dev.lazyz.conformance.rules
 
+import dev.lazyz.Capability
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.judgement.requireDeclared
+import net.jqwik.api.EdgeCasesMode
+import net.jqwik.api.Property
 
 /** How binding a rule is, as in RFC 2119. */
 public enum class Level {
@@ -13,7 +17,9 @@ public enum class Level {
 }
 
 /**
- * Marks a test of the suite as a rule of the contract. The method's name begins with the rule's number, `rule_5_2_`.
+ * Marks a test of the suite, which is a property of jqwik, as a rule of the contract. The method's name begins with the
+ * rule's number, `rule_5_2_`.
+ *
  * @property level how binding the rule is
  * @property intent why the rule exists, in one sentence
  * @property look where to look in the renderer when the rule fails, in one sentence
@@ -21,7 +27,9 @@ public enum class Level {
  *   mistake shows only in what this rule does, for example when it calls a renderer from several threads
  * @property isSpecial whether the rule tests what is rare, such as extreme values or threads, or many things at once;
  *   where another rule is as likely the cause, that one is named first
+ * @property tries how often it is tried by default, each time with other parameters; once if it has none
  */
+@Property(seed = FIXED, edgeCases = EdgeCasesMode.NONE)
 @Target(AnnotationTarget.FUNCTION)
 @Retention(AnnotationRetention.RUNTIME)
 @MustBeDocumented
@@ -31,6 +39,7 @@ public annotation class Rule(
     val look: String,
     val about: Array<Symptom> = [],
     val isSpecial: Boolean = false,
+    val tries: Int = 100,
 )
 
 /**
@@ -68,6 +77,10 @@ public sealed interface RulesForOne {
     /** Returns the user's own frames, in addition to those of the suite. */
     public fun frames(): List<FrameCase>
 }
+
+/** Returns the renderer to test; if it does not declare all of [needs], ends the rule, as not applicable. */
+internal fun RulesForOne.renderer(vararg needs: Capability): Renderer =
+    renderer().also { for (need in needs) requireDeclared(it, need) }
 
 /**
  * Versions of the contract and the suite.

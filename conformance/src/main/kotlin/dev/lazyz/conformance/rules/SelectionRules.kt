@@ -10,18 +10,14 @@ import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.ThousandLayersCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Recording
-import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.oracle.Selection
 import dev.lazyz.conformance.probes.CellWitness
 import dev.lazyz.conformance.probes.ShadingWitness
 import java.util.Random
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /** Rules about selectors. They apply only to renderers that declare `SELECTION`. Part of `RendererConformance`. */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface SelectionRules : RulesForOne {
     /** A selector chooses among all fragments of a sample that pass against the background, nearest first. */
     @Rule(
@@ -29,14 +25,13 @@ public sealed interface SelectionRules : RulesForOne {
         "A renderer with SELECTION shows what the caller's selector chooses among all fragments of a sample; " +
             "without a selector it shows the usual picture.",
         look = "A cell has every fragment that passes against the background, in the order of the depth test.",
+        tries = 40,
     )
-    @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_selectorsChooseAmongAllFragments(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
     ) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.SELECTION)
+        val renderer = renderer(Capability.SELECTION)
         val isBlending = Capability.TRANSPARENCY in renderer.capabilities
         val part = (if (isBlending) case.glazed(salt.toInt()) else case).withinAny(Random(salt))
         for ((name, selection) in Selection.all) {
@@ -58,14 +53,13 @@ public sealed interface SelectionRules : RulesForOne {
         intent = "A selector may count, and may rely on a first fragment: it is called once for each sample that has " +
             "one.",
         look = "Do not call the selector for samples without fragments, outside the region, or to try a choice.",
+        tries = 20,
     )
-    @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_selectorsAreCalledOncePerSample(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
     ) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.SELECTION)
+        val renderer = renderer(Capability.SELECTION)
         val part = case.withinAny(Random(salt))
         val expected = Recording.of(ReferenceRenderer(), part.frame).image
         for (threads in 1..2) {
@@ -85,14 +79,12 @@ public sealed interface SelectionRules : RulesForOne {
     @Rule(
         intent = "A sample has any number of fragments, and a selector can use all of them.",
         look = "Look for a limit on the fragments of a cell, and for counts of them in a byte.",
-        isSpecial = true,
+        isSpecial = true, tries = 2,
     )
-    @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_selectorsChooseAmongAThousandFragments(
         @ForAll(supplier = ThousandLayersCases::class) case: FrameCase,
     ) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.SELECTION)
+        val renderer = renderer(Capability.SELECTION)
         for ((name, selection) in Selection.all) {
             val configured = renderer.configured(RenderOptions(selector = selection.selector))
             Judgement(configured, case, "selector $name").equalsPicture(selection.of(case.frame))

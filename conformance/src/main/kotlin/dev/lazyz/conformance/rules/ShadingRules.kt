@@ -15,25 +15,21 @@ import dev.lazyz.conformance.frames.LongRowCases
 import dev.lazyz.conformance.frames.MixedCases
 import dev.lazyz.conformance.frames.TranslucentCases
 import dev.lazyz.conformance.judgement.Judgement
-import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.Pixelated
 import dev.lazyz.conformance.probes.surfacesOfOneShader
 import dev.lazyz.conformance.probes.textured
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /** Rules about colours: scenes with light, normals, textures and blended materials. Part of `RendererConformance`. */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface ShadingRules : RulesForOne {
     /** Blended materials show what is behind them; made opaque, they are like any other material. */
     @Rule(
         intent = "Alpha of materials, textures and vertex colours blends, for both sides of a face.",
         look = "Sort a sample's fragments by key and blend as rule 5.5 defines; otherwise render Frame.asOpaque() " +
             "unchanged.",
+        tries = 60,
     )
-    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_translucentMaterialsBlendInOrderOfDepth(
         @ForAll(supplier = BlendedCases::class) case: FrameCase,
     ) {
@@ -49,12 +45,10 @@ public sealed interface ShadingRules : RulesForOne {
         look = "Skip alpha 0 before multiplying, stop at transmittance 0, and do not divide by a sum of weights that " +
             "is 0.",
         about = [Symptom.TRANSLUCENT],
-        isSpecial = true,
+        isSpecial = true, tries = 60,
     )
-    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_extremesOfLightAndAlphaBlend(@ForAll(supplier = TranslucentCases::class) case: FrameCase) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.TRANSPARENCY)
+        val renderer = renderer(Capability.TRANSPARENCY)
         Judgement(renderer, case.dazzling()).equalsReference()
     }
 
@@ -63,12 +57,10 @@ public sealed interface ShadingRules : RulesForOne {
         intent = "Blending is rounded as defined at every step, however little light a layer lets through.",
         look = "Add in single precision, from near to far, until transmittance is exactly 0; divide once, at the end.",
         about = [Symptom.TRANSLUCENT],
-        isSpecial = true,
+        isSpecial = true, tries = 4,
     )
-    @Property(tries = 4, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_sumsAreRoundedAsDefined(@ForAll salt: Long) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.TRANSPARENCY)
+        val renderer = renderer(Capability.TRANSPARENCY)
         val case = veils(salt)
         Judgement(renderer, case).equalsReference()
 
@@ -84,9 +76,8 @@ public sealed interface ShadingRules : RulesForOne {
         "If the renderer overrides renderPixels: sums in linear light, weighted by alpha, for all samples of the " +
             "pixel; depth and primitive of its nearest sample.",
         about = [Symptom.COLOR],
-        isSpecial = true,
+        isSpecial = true, tries = 30,
     )
-    @Property(tries = 30, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_12_pixelsAreTheMeansOfTheirSamples(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
         for ((side, rate) in listOf(2 to ShadingRate.SAMPLE, 3 to ShadingRate.PIXEL, 4 to ShadingRate.AUTO)) {
@@ -100,9 +91,8 @@ public sealed interface ShadingRules : RulesForOne {
         intent = "Each sample has its own colour, even where all its neighbours have the same colour.",
         look = "Look for one colour used for a run, a row or a primitive, and for runs filled because both ends are " +
             "equal.",
-        about = [Symptom.COLOR],
+        about = [Symptom.COLOR], tries = 40,
     )
-    @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_1_everySampleIsShadedSeparately(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         Judgement(renderer(), case.flecked()).equalsReference()
     }
@@ -112,9 +102,8 @@ public sealed interface ShadingRules : RulesForOne {
         intent = "A colour that a primitive does not set is opaque black, not that of the sample shaded before.",
         look = "Call Fragment.moveTo before each primitive and sample that is shaded; it resets the colour.",
         about = [Symptom.COLOR],
-        isSpecial = true,
+        isSpecial = true, tries = 60,
     )
-    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_1_coloursThatAreNotSetAreBlack(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         Judgement(renderer(), case.partlyColoured()).equalsReference()
     }
@@ -124,9 +113,8 @@ public sealed interface ShadingRules : RulesForOne {
         intent = "An attribute that a surface does not have is 0 for its shader, whatever was shaded before.",
         look = "Look for fragments that are shaded together because their shader is the same: their attributes may " +
             "not be.",
-        about = [Symptom.COLOR],
+        about = [Symptom.COLOR], tries = 3,
     )
-    @Property(tries = 3, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_2_surfacesOfOneShaderHaveTheirOwnAttributes(@ForAll salt: Long) {
         Judgement(renderer(), surfacesOfOneShader(salt)).equalsReference()
     }
@@ -136,9 +124,8 @@ public sealed interface ShadingRules : RulesForOne {
         intent = "A component is clamped to 0..1 and NaN becomes 0, whatever a shader computes.",
         look = "Pack with Fragment.toArgb, or compare so that NaN fails; casts and tables do not handle NaN.",
         about = [Symptom.COLOR],
-        isSpecial = true,
+        isSpecial = true, tries = 40,
     )
-    @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_4_coloursOfAnyBrightnessArePacked(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         Judgement(renderer(), case.dazzling()).equalsReference()
     }
@@ -148,8 +135,8 @@ public sealed interface ShadingRules : RulesForOne {
         intent = "Shading of back faces: normals are turned to the viewer, whether or not they are equal at all " +
             "vertices.",
         look = "Look for a fast path, for equal normals or for long rows of samples, that does not turn the normal.",
+        tries = 60,
     )
-    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_5_normalsOfBackFacesAreTurnedToTheViewer(
         @ForAll(supplier = BackFaceCases::class) case: FrameCase,
     ) {
@@ -164,9 +151,8 @@ public sealed interface ShadingRules : RulesForOne {
         intent = "A sample's light, maps and vertex colours do not depend on how many samples are shaded at once.",
         look = "Compare the attributes of the sample that differs with Primitive.shade: weights, normal, tangent, " +
             "both texture coordinates and their derivatives.",
-        about = [Symptom.COLOR],
+        about = [Symptom.COLOR], tries = 60,
     )
-    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_5_litAndTexturedScenesAreShadedCorrectly(
         @ForAll(supplier = LongRowCases::class) case: FrameCase,
     ) {
@@ -179,9 +165,8 @@ public sealed interface ShadingRules : RulesForOne {
             "triangle is.",
         look = "Compare the derivatives of the texture coordinates with those of Primitive.shade, also where many " +
             "triangles are shaded together.",
-        about = [Symptom.COLOR],
+        about = [Symptom.COLOR], tries = 8,
     )
-    @Property(tries = 8, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_6_6_texturesAreReadWithTheirOwnFootprints(@ForAll salt: Long) {
         Judgement(renderer(), textured(salt)).equalsReference()
     }

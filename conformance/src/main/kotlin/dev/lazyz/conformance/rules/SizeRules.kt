@@ -19,7 +19,6 @@ import dev.lazyz.conformance.frames.ThousandsOfLayersCases
 import dev.lazyz.conformance.frames.TwoRowsCases
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.difference
-import dev.lazyz.conformance.judgement.requireDeclared
 import dev.lazyz.conformance.oracle.Selection
 import dev.lazyz.conformance.probes.closeToAWall
 import dev.lazyz.conformance.probes.crowdedTile
@@ -27,12 +26,9 @@ import dev.lazyz.conformance.probes.edgesAtTheEndsOfTiles
 import dev.lazyz.conformance.probes.longRasters
 import dev.lazyz.conformance.probes.specks
 import dev.lazyz.conformance.probes.wideMesh
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /** Rules about frames that are large in one respect: sides, spans, layers or indices. Part of `RendererConformance`. */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface SizeRules : RulesForOne {
     /** Rasters of several tiles and bands, of any size; most have odd sides. Some tiles have small triangles only. */
     @Rule(
@@ -40,8 +36,8 @@ public sealed interface SizeRules : RulesForOne {
             "bottom.",
         look = "Look at the last column and row of a tile or band, at the last tile, at primitives that cross tiles, " +
             "and at tiles that are skipped.",
+        tries = 25,
     )
-    @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_1_1_rastersOfSeveralTilesAreDrawnCorrectly(
         @ForAll(supplier = SeveralTilesCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -54,9 +50,8 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "A side has up to 262,144 samples: columns and rows need 18 bits, and the size of a raster needs 36.",
         look = "Look for columns and rows in 16 bits, and for row times width in 32; allocate only for the region.",
-        isSpecial = true,
+        isSpecial = true, tries = 12,
     )
-    @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_1_1_columnsAndRowsAreNotTruncated(@ForAll(supplier = FarAwayCases::class) case: FrameCase) {
         val renderer = renderer()
         Judgement(renderer, case).equalsReference().rowsInOrder()
@@ -76,9 +71,8 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "There can be thousands of tiles in a row or a column, and primitives are submitted in any order.",
         look = "Look for numbers of tiles in too few bits, and for a sort by row whose later passes are missing.",
-        isSpecial = true,
+        isSpecial = true, tries = 1,
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_1_1_thousandsOfTilesAreDrawnCorrectly(@ForAll salt: Long) {
         for (case in longRasters(salt)) {
             val expected = Judgement(renderer(), case).equalsReference().rendering.image
@@ -91,8 +85,8 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "The size of tiles changes no bit, however many samples and triangles a tile has.",
         look = "Look for places and numbers within a tile in too few bits, and for tiles at the right and lower edge.",
+        tries = 1,
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_tilesOfEverySizeGiveTheSamePicture(@ForAll salt: Long) {
         val case = wideMesh(salt)
         val expected = Judgement(renderer(), case).equalsReference().rendering.image
@@ -109,8 +103,8 @@ public sealed interface SizeRules : RulesForOne {
             "the ends of tiles.",
         look = "Look at the test that a triangle covers a tile: a sample on an edge that does not own it is not " +
             "covered.",
+        tries = 1,
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_2_wideTrianglesHideOnlyWhatTheyCover(@ForAll salt: Long) {
         for (case in edgesAtTheEndsOfTiles(salt)) Judgement(renderer(), case).equalsReference()
     }
@@ -119,8 +113,8 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "A primitive can have any number of spans in a row.",
         look = "Look for arrays with a fixed number of spans or edges, and for what happens when they are full.",
+        tries = 40,
     )
-    @Property(tries = 40, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_3_allSpansOfARowAreDrawn(@ForAll(supplier = ManySpansCases::class) case: FrameCase) {
         Judgement(renderer(), case).equalsReference()
     }
@@ -131,7 +125,6 @@ public sealed interface SizeRules : RulesForOne {
         look = "Look for numbers of spans, edges or intervals that are packed into fewer than 18 bits.",
         isSpecial = true,
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_2_3_thousandsOfSpansAreDrawn() {
         val multitude = Multitude.ofSpans()
         Judgement(renderer(), multitude.case).equalsPicture(multitude.image)
@@ -141,8 +134,8 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "A fragment that is nearer by a single unit of depth is visible, however many others are near it.",
         look = "Look for triangles that are rejected because another one was: a rough order of depths is no order.",
+        tries = 3,
     )
-    @Property(tries = 3, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_trianglesCloseToAWallAreDrawnCorrectly(@ForAll salt: Long) {
         Judgement(renderer(), closeToAWall(salt)).equalsReference()
     }
@@ -151,8 +144,8 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "The visible fragment is the minimum of any number of fragments, in any order.",
         look = "Look for lists of fragments, bins or active primitives of a fixed length.",
+        tries = 12,
     )
-    @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_nearestOfDozensOfLayersIsVisible(
         @ForAll(supplier = DozensOfLayersCases::class) case: FrameCase,
     ) {
@@ -163,9 +156,8 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "The minimum is also correct for thousands of fragments, without deep recursion.",
         look = "Look for recursion from primitive to primitive, and for counts of fragments in a byte or a short.",
-        isSpecial = true,
+        isSpecial = true, tries = 6,
     )
-    @Property(tries = 6, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_nearestOfThousandsOfLayersIsVisible(
         @ForAll(supplier = ThousandsOfLayersCases::class) case: FrameCase,
     ) {
@@ -182,7 +174,6 @@ public sealed interface SizeRules : RulesForOne {
             "whose depth is the number of fragments, as in a sort.",
         isSpecial = true,
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_1_nearestOfAMillionFragmentsOfARowIsVisible() {
         for (it in listOf(Multitude.ofRow()) + sorted(isTranslucent = false)) {
             Judgement(renderer(), it.case).equalsPicture(it.image)
@@ -196,15 +187,13 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "Blending includes every fragment that shows through, however many there are.",
         look = "Look for a limit on the number of layers, and for fragments that are merged or dropped to save memory.",
-        isSpecial = true,
+        isSpecial = true, tries = 12,
     )
-    @Property(tries = 12, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_dozensOfThinLayersBlend(
         @ForAll(supplier = DozensOfLayersCases::class) case: FrameCase,
         @ForAll salt: Int,
     ) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.TRANSPARENCY)
+        val renderer = renderer(Capability.TRANSPARENCY)
         val layers = case.frame.primitives.size
         Judgement(renderer, case.thin(layers)).equalsReference()
 
@@ -223,10 +212,8 @@ public sealed interface SizeRules : RulesForOne {
             "depth is the number of fragments, as in a sort.",
         isSpecial = true,
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_millionFragmentsBlend() {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.TRANSPARENCY)
+        val renderer = renderer(Capability.TRANSPARENCY)
         for (it in listOf(Multitude.ofFragments()) + sorted(isTranslucent = true)) {
             Judgement(renderer, it.case).equalsPicture(it.image)
         }
@@ -236,12 +223,10 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "Blending includes a thousand fragments as it includes two.",
         look = "Look for a limit on the number of layers, and for counts of them in a byte.",
-        isSpecial = true,
+        isSpecial = true, tries = 2,
     )
-    @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_5_5_thousandThinLayersBlend(@ForAll(supplier = ThousandLayersCases::class) case: FrameCase) {
-        val renderer = renderer()
-        requireDeclared(renderer, Capability.TRANSPARENCY)
+        val renderer = renderer(Capability.TRANSPARENCY)
         Judgement(renderer, case.thin(case.frame.primitives.size)).equalsReference()
     }
 
@@ -249,9 +234,8 @@ public sealed interface SizeRules : RulesForOne {
     @Rule(
         intent = "Indices have 31 bits: those above 2^24 are neither rounded to a float nor cut to 24 bits.",
         look = "Look at keys that pack fewer than 31 bits of index, and at indices in floating point.",
-        isSpecial = true,
+        isSpecial = true, tries = 1,
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_9_4_indicesAboveTwoToThe24AreExact(@ForAll(supplier = TwoRowsCases::class) case: FrameCase) {
         val renderer = renderer()
         val few = Judgement(renderer, case).equalsReference().rendering.image

@@ -24,15 +24,12 @@ import dev.lazyz.conformance.probes.hasEnded
 import dev.lazyz.conformance.probes.optionsForStreams
 import dev.lazyz.conformance.probes.streamedIsTheSame
 import java.util.Random
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /**
  * Rules about primitives that arrive one by one or part by part. Most apply only to a [StreamingRenderer]. Part of
  * `RendererConformance`.
  */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface StreamingRules : RulesForOne {
     /** Primitives that arrive one by one give the same picture as a frame, also while another is in progress. */
     @Rule(
@@ -40,8 +37,8 @@ public sealed interface StreamingRules : RulesForOne {
             "pictures at the same time.",
         look = "Draw in both ways by the same code, and keep what belongs to a picture in the Rendering. A primitive " +
             "that is refused has no index.",
+        tries = 50,
     )
-    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_10_primitivesOneByOneGiveTheSamePicture(
         @ForAll(supplier = MixedCases::class) whole: FrameCase,
         @ForAll choice: Int,
@@ -68,7 +65,6 @@ public sealed interface StreamingRules : RulesForOne {
         look = "Count in add, not in finish: what is left then are the primitives that were kept. If these are drawn " +
             "again, their fragments still count once.",
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_10_primitivesOneByOneAreCounted() {
         val renderer = requireStreaming(renderer())
         for (step in listOf(1, -1)) {
@@ -100,8 +96,8 @@ public sealed interface StreamingRules : RulesForOne {
         look =
         "Look at ties between parts, whose order is that of the scene, and at the indices of later parts. Throw " +
             "IllegalArgumentException before the first row if primitives are needed more than once.",
+        tries = 60,
     )
-    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_streamedFramesGiveTheSamePicture(@ForAll salt: Long) {
         val renderer = renderer()
         for (options in listOf(RenderOptions(threads = 1), optionsForStreams(salt))) {
@@ -114,8 +110,8 @@ public sealed interface StreamingRules : RulesForOne {
         intent = "A picture cannot be continued after it was delivered, or after a primitive failed half-way.",
         look = "Throw IllegalStateException from both functions of the Rendering once finish was called or add has " +
             "thrown.",
+        tries = 30,
     )
-    @Property(tries = 30, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_10_endedPicturesCannotBeContinued(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,

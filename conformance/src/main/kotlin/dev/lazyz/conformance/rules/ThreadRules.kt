@@ -30,19 +30,16 @@ import dev.lazyz.conformance.probes.threads.reportsInterrupt
 import dev.lazyz.conformance.probes.threads.rightInACrowd
 import dev.lazyz.conformance.probes.ways
 import java.util.Random
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /** Rules about threads, and about what the sink can rely on. Part of `RendererConformance`. */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface ThreadRules : RulesForOne {
     /** Renderings in several threads that query spans and colours at the same time do not disturb each other. */
     @Rule(
         intent = "Several threads may use a renderer at once, at any moment of their renderings.",
         look = "Look for fragments, spans and rows in fields of the renderer, or in state shared by all renderings.",
+        tries = 4,
     )
-    @Property(tries = 4, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_concurrentRenderingsAreIndependent(@ForAll salt: Long) {
         val renderer = renderer()
         val ways = listOfNotNull(renderer, (renderer as? StreamingRenderer)?.let { OneByOne(it) })
@@ -64,8 +61,8 @@ public sealed interface ThreadRules : RulesForOne {
     @Rule(
         intent = "A sink needs no locks: it is called on the caller's thread, one row at a time.",
         look = "Deliver rows on the thread that called render; other threads pass their finished rows to that thread.",
+        tries = 20,
     )
-    @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_sinkIsCalledOnTheCallersThread(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer().configured(FOUR_THREADS)
         val sink = ThreadWitness()
@@ -77,8 +74,8 @@ public sealed interface ThreadRules : RulesForOne {
     @Rule(
         intent = "During the call the row belongs to the sink: the renderer must not write to it, but the sink may.",
         look = "Overwrite every element of each row, or keep what later rows need in separate arrays.",
+        tries = 30,
     )
-    @Property(tries = 30, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_sinkMayOverwriteItsRows(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
         val sink = OverwritingSink(case.frame)
@@ -94,7 +91,6 @@ public sealed interface ThreadRules : RulesForOne {
         intent = "A row without primitives has the background, whatever the sink wrote into an earlier row.",
         look = "Look for tiles, bands or rows that are not filled again because they are said to be empty already.",
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_sinkMayOverwriteEmptyRows() {
         for (renderer in listOf(renderer(), renderer().configured(FOUR_THREADS))) {
             for (rows in listOf(0..<0, 300..<500)) {
@@ -112,9 +108,8 @@ public sealed interface ThreadRules : RulesForOne {
     @Rule(
         intent = "A sink may render: renderings of one thread can be nested, and do not disturb each other.",
         look = "Look for row arrays, buffers or locks that all renderings of a thread share, as in a ThreadLocal.",
-        about = [Symptom.AGAIN],
+        about = [Symptom.AGAIN], tries = 20,
     )
-    @Property(tries = 20, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_sinkMayRender(@ForAll(supplier = SeveralCases::class) cases: List<FrameCase>) {
         val usual = renderer()
         val (outer, other) = cases
@@ -138,8 +133,8 @@ public sealed interface ThreadRules : RulesForOne {
     @Rule(
         intent = "An interrupt is never lost: the caller sees it in the interrupt status or as an exception.",
         look = "Where you catch InterruptedException or call Thread.interrupted(), rethrow it or set the status again.",
+        tries = 15,
     )
-    @Property(tries = 15, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_interruptIsNotLost(@ForAll(supplier = MixedCases::class) case: FrameCase, @ForAll salt: Long) {
         for (renderer in listOf(renderer(), renderer().configured(SMALL_TILES))) {
             for (moment in Interruption.entries) {

@@ -34,23 +34,19 @@ import dev.lazyz.conformance.probes.threads.atOnce
 import dev.lazyz.conformance.probes.threads.endsInterrupted
 import dev.lazyz.strategies.lists.ListsRenderer
 import java.util.Random
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /**
  * Rules about how a renderer is used: again, by several threads, interrupted, by callers that fail. Part of
  * `RendererConformance`.
  */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface UseRules : RulesForOne {
     /** A renderer that renders a frame again, after other frames or another part of it, gives the same bits. */
     @Rule(
         intent = "A renderer has no memory of earlier calls: the same frame always gives the same bits.",
         look = "Look for buffers that the renderer keeps without clearing them, or that are too small for this frame.",
-        about = [Symptom.AGAIN],
+        about = [Symptom.AGAIN], tries = 50,
     )
-    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_repeatedRenderingsAreIdentical(@ForAll(supplier = SeveralCases::class) cases: List<FrameCase>) {
         val renderer = renderer()
         val parts = cases.flatMap { it.halves() }
@@ -64,9 +60,8 @@ public sealed interface UseRules : RulesForOne {
     @Rule(
         intent = "What a renderer keeps for its next frame, such as arrays, has no effect on the picture.",
         look = "Look for arrays that go back to a pool twice, or while they are still in use, and for old contents.",
-        about = [Symptom.AGAIN],
+        about = [Symptom.AGAIN], tries = 3,
     )
-    @Property(tries = 3, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_framesOfManySizesAreIndependent(@ForAll salt: Long) {
         val options = RenderOptions(threads = 2)
         val renderer = renderer().configured(options)
@@ -79,7 +74,6 @@ public sealed interface UseRules : RulesForOne {
             "suite's.",
         look = "The message names the file: find out how that frame differs from the suite's frames.",
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_userFramesAreDrawnCorrectly() {
         for (case in TryUnderWay.current?.ownCases.orEmpty() + frames()) framesAreRight(renderer(), case)
     }
@@ -88,8 +82,8 @@ public sealed interface UseRules : RulesForOne {
     @Rule(
         intent = "Several threads may use a renderer at once, each with its own frame.",
         look = "Look for fields of the renderer that a rendering writes; keep such state local to the call.",
+        tries = 25,
     )
-    @Property(tries = 25, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_renderingsFromSeveralThreadsAreIdentical(
         @ForAll(supplier = SeveralCases::class) cases: List<FrameCase>,
     ) {
@@ -102,7 +96,6 @@ public sealed interface UseRules : RulesForOne {
         intent = "A renderer keeps nothing between calls, so that the memory of a released frame can be reclaimed.",
         look = "Look for fields, caches and thread locals that hold the last frame, its primitives or its sink.",
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_nothingIsKeptBetweenCalls() {
         keepsNothing(renderer())
     }
@@ -111,8 +104,8 @@ public sealed interface UseRules : RulesForOne {
     @Rule(
         intent = "A failure of the caller's code reaches the caller unchanged, and leaves no trace in the renderer.",
         look = "Look for catch blocks, for threads whose failures are never checked, and for state after a failure.",
+        tries = 60,
     )
-    @Property(tries = 60, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_exceptionsOfPrimitivesReachTheCaller(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -134,8 +127,8 @@ public sealed interface UseRules : RulesForOne {
     @Rule(
         intent = "Interrupting the calling thread causes neither a hang nor a wrong picture.",
         look = "Look for waits that are repeated after an interrupt, and for rows that are delivered half finished.",
+        tries = 10,
     )
-    @Property(tries = 10, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_interruptedThreadsEnd(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()
         endsInterrupted(renderer, case)
@@ -146,8 +139,8 @@ public sealed interface UseRules : RulesForOne {
     @Rule(
         intent = "A sink may stop the rendering by throwing: the exception is not swallowed, and no row follows.",
         look = "Call the sink outside of try blocks, on the calling thread, and end all threads before you rethrow.",
+        tries = 50,
     )
-    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_exceptionsOfTheSinkReachTheCaller(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -171,9 +164,8 @@ public sealed interface UseRules : RulesForOne {
         intent = "Sinks write files and feed encoders, so each row is delivered once, from the top.",
         look = "Look at the order in which blocks, tiles or threads finish, and at the last rows, which do not fill " +
             "a block.",
-        about = [Symptom.ROWS],
+        about = [Symptom.ROWS], tries = 50,
     )
-    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_3_rowsArriveInOrderEachOnce(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         Judgement(renderer(), case).rowsInOrder()
     }
@@ -183,8 +175,8 @@ public sealed interface UseRules : RulesForOne {
         level = Level.SHOULD,
         intent = "The cost of rendering a region depends on what is in the region, not on what is outside.",
         look = "Compare a primitive's bounds with the region before you ask it for spans, a cursor or a depth.",
+        tries = 50,
     )
-    @Property(tries = 50, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_7_primitivesOutsideTheRegionAreNotQueried(
         @ForAll(supplier = MixedCases::class) case: FrameCase,
         @ForAll salt: Long,
@@ -228,14 +220,12 @@ private fun oracle(frame: Frame): Renderer =
 private const val MOST_FRAGMENTS = 20_000_000L
 
 /** Rules about side effects of a rendering. Part of `RendererConformance`. */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface TidyRules : RulesForOne {
     /** A rendering leaves no output, no thread, no file and no changed global state. */
     @Rule(
         intent = "A library runs in its caller's process, and leaves nothing behind there.",
         look = "Look for print statements, executors that are never shut down, temporary files and global settings.",
     )
-    @Property(tries = 1)
     public fun rule_7_9_renderingsLeaveNothingBehind() {
         leavesNothingBehind { renderer() }
         for (options in VARIED) leavesNothingBehind { renderer().let { it.configured(options.supportedBy(it)) } }
@@ -247,7 +237,6 @@ public sealed interface TidyRules : RulesForOne {
         look = "Look for static collections, listeners, shutdown hooks and caches to which each rendering adds, " +
             "and for pools of arrays by their length.",
     )
-    @Property(tries = 1)
     public fun rule_7_9_renderingsHoldNoMoreMemory() {
         val renderer = renderer()
         for (options in VARIED) leavesNoObjects(renderer, options.supportedBy(renderer))

@@ -14,12 +14,9 @@ import dev.lazyz.conformance.probes.threads.makesNoLateQueries
 import dev.lazyz.conformance.probes.threads.passesOnFailuresOfWorkers
 import dev.lazyz.conformance.probes.threads.rightInACrowd
 import dev.lazyz.conformance.probes.threads.whileTheyMeet
-import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
-import net.jqwik.api.Property
 
 /** Rules about the renderer's own threads and the results of their work. Part of `RendererConformance`. */
-@Suppress("ktlint:standard:function-naming")
 public sealed interface WorkerRules : RulesForOne {
     /** What a primitive throws in one of the renderer's own threads reaches the caller: exceptions and errors. */
     @Rule(
@@ -28,7 +25,6 @@ public sealed interface WorkerRules : RulesForOne {
             "half-finished row.",
         isSpecial = true,
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_failuresInThreadsReachTheCaller() {
         passesOnFailuresOfWorkers(renderer().configured(FOUR_THREADS))
     }
@@ -38,7 +34,6 @@ public sealed interface WorkerRules : RulesForOne {
         intent = "When a rendering has ended, the caller may close the resources that its frame uses.",
         look = "Wait for all threads before you rethrow a failure of the caller's own part or of the sink.",
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_primitivesAreNotCalledAfterTheEnd() {
         makesNoLateQueries(renderer().configured(FOUR_THREADS))
     }
@@ -51,7 +46,6 @@ public sealed interface WorkerRules : RulesForOne {
             "finished.",
         isSpecial = true,
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_1_interruptedCallersGetNoHalfPicture() {
         val renderer = renderer().configured(FOUR_THREADS)
         for (isBefore in listOf(true, false)) completesOrThrowsIfInterrupted(renderer, isBefore)
@@ -63,7 +57,6 @@ public sealed interface WorkerRules : RulesForOne {
         look = "Look for loops of worker threads that end when the thread is interrupted, and for waits that do.",
         isSpecial = true,
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_8_interruptedWorkersFinishTheirWork() {
         finishesIfWorkersAreInterrupted(renderer().configured(FOUR_THREADS))
     }
@@ -73,7 +66,6 @@ public sealed interface WorkerRules : RulesForOne {
         intent = "A thread of an executor belongs to its owner: after a task it is as it was before.",
         look = "If a failed rendering interrupts its workers, clear the status of each when its work has ended.",
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_9_threadsOfAnExecutorAreNotLeftInterrupted() {
         leavesNoInterrupt(renderer())
     }
@@ -83,9 +75,8 @@ public sealed interface WorkerRules : RulesForOne {
         intent = "Any number of threads gives the same bits, however their work is interleaved.",
         look = "Look for keys that are read, compared and written without a lock, and for rows, spans and fragments " +
             "that threads share.",
-        isSpecial = true,
+        isSpecial = true, tries = 2,
     )
-    @Property(tries = 2, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_7_5_concurrentThreadsLoseNoFragments(@ForAll salt: Long) {
         val renderer = renderer()
         for (kind in KindOfWork.entries) {
@@ -105,9 +96,8 @@ public sealed interface WorkerRules : RulesForOne {
         intent = "Counters are exact, however many threads count.",
         look = "Give each thread its own counters and add them up at the end; an increment is a read and a write.",
         about = [Symptom.COUNTERS],
-        isSpecial = true,
+        isSpecial = true, tries = 1,
     )
-    @Property(tries = 1, seed = FIXED, edgeCases = EdgeCasesMode.NONE)
     public fun rule_8_1_concurrentThreadsLoseNoCounts(@ForAll salt: Long) {
         for (where in Where.entries) {
             whileTheyMeet(where) { meeting, round ->

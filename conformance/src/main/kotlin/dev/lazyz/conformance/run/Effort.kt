@@ -25,6 +25,10 @@ import net.jqwik.api.lifecycle.PropertyLifecycleContext
 import net.jqwik.api.lifecycle.TryExecutionResult
 import net.jqwik.api.lifecycle.TryExecutor
 import net.jqwik.api.lifecycle.TryLifecycleContext
+import org.junit.platform.engine.FilterResult
+import org.junit.platform.engine.TestDescriptor
+import org.junit.platform.engine.support.descriptor.ClassSource
+import org.junit.platform.launcher.PostDiscoveryFilter
 import org.opentest4j.TestAbortedException
 
 /**
@@ -72,7 +76,7 @@ internal class Effort :
 
         // Set the number of tries, the seed and the shrinking mode
         val attributes = context.attributes()
-        attributes.setTries((attributes.tries().orElse(1) * settings.tries).toInt().coerceAtLeast(1))
+        attributes.setTries((rule.tries * settings.tries).toInt().coerceAtLeast(1))
         attributes.setSeed(rule.seed(settings.seed ?: SuiteRule.fixedSeed).toString())
         if (run != null) attributes.setShrinking(settings.shrinking.mode)
 
@@ -216,5 +220,32 @@ internal object ExitMessage {
         }
         val where = trial.underTrial?.let { ", with\n$it" }.orEmpty()
         System.err.println("The process ends while ${trial.rule} is running$where")
+    }
+}
+
+/**
+ * Fails a Maven build that would run no rule, and succeed, because of `-Dtest='MyTest#rule_5*'`: Maven looks for
+ * methods by the class that declares them, which is one of the suite's. It includes everything.
+ */
+internal class SelectedRules : PostDiscoveryFilter {
+    override fun apply(test: TestDescriptor): FilterResult {
+        val source = test.source.orElse(null) as? ClassSource
+        val type = source?.let { runCatching { it.getJavaClass() }.getOrNull() }
+        if (type != null && AllRules::class.java.isAssignableFrom(type)) requireRules(type.simpleName)
+        return FilterResult.included(null)
+    }
+
+    companion object {
+        /** The system property in which Maven passes the option of this name on. */
+        const val PROPERTY: String = "test"
+
+        private fun requireRules(name: String) {
+            val words = System.getProperty(PROPERTY).orEmpty().split(',').map { it.trim() }
+            val (type, methods) = words.firstOrNull { it.substringBefore('#').endsWith(name) && '#' in it }
+                ?.split('#', limit = 2) ?: return
+            check("*Rules#$methods" in words) {
+                "-Dtest=$type#$methods runs none of the rules, which $name inherits; use -Dtest='$type,*Rules#$methods'"
+            }
+        }
     }
 }

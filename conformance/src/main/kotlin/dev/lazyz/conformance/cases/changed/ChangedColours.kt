@@ -2,7 +2,6 @@ package dev.lazyz.conformance.cases.changed
 
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
-import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.cases.CountingCursor
 import dev.lazyz.conformance.cases.FrameCase

@@ -1,7 +1,6 @@
 package dev.lazyz.conformance.probes.memory
 
 import dev.lazyz.Frame
-import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer

@@ -3,23 +3,18 @@ package dev.lazyz.conformance.probes.threads
 import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.Frame
-import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Selector
 import dev.lazyz.conformance.cases.FrameCase
-import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Recorder
 import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.conformance.probes.Asking
 import dev.lazyz.conformance.probes.answer
-import dev.lazyz.spi.Fragment
-import dev.lazyz.spi.LinearForm
-import dev.lazyz.spi.ShadingCursor
-import dev.lazyz.spi.Spans
 import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
 
@@ -59,14 +54,16 @@ private fun interrupt(
     complaint: (InterruptedRendering) -> String?,
 ) {
     val rendering = InterruptedRendering(renderer, case.frame, moment, random)
-    val thread = Thread(rendering, "lazyz-interrupted")
-    thread.isDaemon = true
-    thread.start()
-
-    // A thread that hangs makes the try hang, which has a deadline
-    thread.join()
+    inOwnThread(rendering)
     val what = complaint(rendering) ?: return
     Judgement(renderer, case, "a thread that is interrupted $moment").fail(what, rendering.thrown)
+}
+
+/** Runs [rendering] in a thread of its own. A thread that hangs makes the try hang, which has a deadline. */
+internal fun inOwnThread(rendering: Runnable) = Thread(rendering, "lazyz-interrupted").run {
+    isDaemon = true
+    start()
+    join()
 }
 
 private class InterruptedRendering(
@@ -93,7 +90,8 @@ private class InterruptedRendering(
     override fun run() {
         caller = Thread.currentThread()
         if (moment == Interruption.BEFORE) send()
-        val asking = Frame(frame.raster, frame.primitives.map { Asking(it) }, frame.region)
+        val asking =
+            Frame(frame.raster, frame.primitives.map { primitive -> Asking(primitive) { ask() } }, frame.region)
         val subject = if (moment == Interruption.IN_A_PRIMITIVE) asking else frame
         val sink = RowSink { y, argb, depth, primitive ->
             recorder.row(y, argb, depth, primitive)
@@ -141,27 +139,6 @@ private class InterruptedRendering(
         if (thrown is InterruptedException) return null
         val image = recorder.image(counters ?: return "threw $thrown")
         return difference(Recording.of(ReferenceRenderer(), case.frame).image, image)?.toString()
-    }
-
-    private inner class Asking(whole: Primitive) : Recovered(whole) {
-        override val depthForm: LinearForm? get() = null
-
-        override fun spans(y: Int, spans: Spans) {
-            ask()
-            whole.spans(y, spans)
-        }
-
-        override fun depth(x: Int, y: Int): Int {
-            ask()
-            return whole.depth(x, y)
-        }
-
-        override fun shade(fragment: Fragment) {
-            ask()
-            whole.shade(fragment)
-        }
-
-        override fun shadingCursor(x: Int, y: Int): ShadingCursor? = null
     }
 
     private companion object {

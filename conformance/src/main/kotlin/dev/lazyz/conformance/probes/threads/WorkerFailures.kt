@@ -71,12 +71,7 @@ internal fun completesOrThrowsIfInterrupted(renderer: Renderer, isBefore: Boolea
 private fun completesOrThrowsOnce(renderer: Renderer, isBefore: Boolean) {
     val quiet = WorkerProbe.quiet()
     val rendering = InterruptedCaller(renderer, isBefore)
-    val thread = Thread(rendering, "lazyz-interrupted")
-    thread.isDaemon = true
-    thread.start()
-
-    // A thread that hangs makes the try hang, which has a deadline
-    thread.join()
+    inOwnThread(rendering)
     val what = rendering.complaint(quiet) ?: return
     val moment = if (isBefore) "before it renders" else "while it waits for other threads"
     Judgement(renderer, quiet, "a thread that is interrupted $moment").fail(what, rendering.thrown)
