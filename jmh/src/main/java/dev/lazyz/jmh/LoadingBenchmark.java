@@ -1,14 +1,20 @@
 package dev.lazyz.jmh;
 
 import dev.lazyz.Renderer;
+import dev.lazyz.Rgba;
 import dev.lazyz.jmh.workload.MeshFiles;
 import dev.lazyz.jmh.workload.PlainLoops;
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadOptions;
 import dev.lazyz.scenes.LoadedScene;
 import dev.lazyz.scenes.Scenes;
+import dev.lazyz.world.Camera;
+import dev.lazyz.world.FittedViewpoint.Fit;
 import dev.lazyz.world.Scene;
+import dev.lazyz.world.material.Material;
+import dev.lazyz.world.material.Material.Shading;
 import dev.lazyz.world.surface.Mesh;
+import dev.lazyz.world.surface.Surface;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -58,9 +64,9 @@ public class LoadingBenchmark {
     @Setup
     public void setUp() throws InterruptedException, IOException {
         file = Files.createTempFile("lazyz-", "." + format);
-        MeshFiles files = new MeshFiles(squares);
-        files.write(file);
-        loops = files.plainLoops();
+        MeshFiles files = new MeshFiles(squares, LoadingBenchmark::heights);
+        files.write(file, format);
+        loops = new PlainLoops(3 * files.vertexCount(), 3 * files.triangleCount());
         String expected = hash(files.scene());
         PictureCheck.verify(hash(Scenes.load(file).getScene()), expected, "what was read from " + file);
         Scene plain = Scene.builder().add(loops.read(file)).build();
@@ -93,6 +99,30 @@ public class LoadingBenchmark {
 
     private static String hash(Scene scene) throws InterruptedException, IOException {
         Renderer renderer = PictureCheck.renderer("zbuffer");
-        return PictureCheck.hash(MeshFiles.facets(scene).frame(SIDE, SIDE), renderer);
+        return PictureCheck.hash(facets(scene).frame(SIDE, SIDE), renderer);
+    }
+
+    /** Returns a scene with only the shapes of the meshes, flat-shaded, seen from the front. */
+    private static Scene facets(Scene scene) {
+        Scene.Builder facets = Scene.builder()
+                .viewpoint(Camera.fit(0.0, 0.0, 1.0, Fit.ORTHOGRAPHIC))
+                .background(Rgba.BLACK);
+        Material material = new Material(Rgba.WHITE).withShading(Shading.FLAT);
+        for (Surface surface : scene.getSurfaces()) {
+            if (surface instanceof Mesh mesh) {
+                facets.add(new Mesh(mesh.getPositions(), mesh.getTriangles(), material));
+            }
+        }
+        return facets.build();
+    }
+
+    private static float[] heights(int squares, int row) {
+        float[] heights = new float[squares + 1];
+        double y = 2.0 * row / squares - 1;
+        for (int column = 0; column <= squares; column++) {
+            double x = 2.0 * column / squares - 1;
+            heights[column] = (float) (0.2 * StrictMath.sin(5 * x + 1) * StrictMath.sin(7 * y));
+        }
+        return heights;
     }
 }

@@ -128,7 +128,7 @@ public final class MemoryGrid {
 
     private String hills(int triangles) throws IOException {
         Path file = folder.resolve(triangles + ".stl");
-        Hills.write(file, triangles);
+        Hills.write(file, triangles, "stl");
         return file.toString();
     }
 

@@ -108,7 +108,7 @@ public final class MemoryGrowth {
         int last = FIRST;
         for (int point : points(axis)) {
             boolean isSide = axis.equals("pixels");
-            Hills.write(folder.resolve("model.stl"), isSide ? TRIANGLES.get(0) : point);
+            Hills.write(folder.resolve("model.stl"), isSide ? TRIANGLES.get(0) : point, "stl");
             last = least(contender, isSide ? point : SIDES.get(0), last);
             if (last == 0) {
                 return;

@@ -1,125 +1,144 @@
 package dev.lazyz.jmh.workload;
 
-import dev.lazyz.Rgba;
-import dev.lazyz.world.Camera;
-import dev.lazyz.world.FittedViewpoint.Fit;
 import dev.lazyz.world.Scene;
-import dev.lazyz.world.material.Material;
-import dev.lazyz.world.material.Material.Shading;
 import dev.lazyz.world.surface.Mesh;
-import dev.lazyz.world.surface.Surface;
+import java.io.BufferedOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.IntBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A hilly landscape that can be written as OBJ, binary STL, binary PLY and GLB files. */
+/**
+ * A landscape of squares, of two triangles each, that can be written to files: row by row, as programs for maps and
+ * scans do, so that it need not fit into memory. Not thread safe.
+ */
 public final class MeshFiles {
+    /** The heights of the vertices in a row. */
+    public interface Heights {
+        float[] of(int squares, int row);
+    }
+
+    private interface Corners {
+        void add(int a, int b, int c) throws IOException;
+    }
+
     private static final int JSON_CHUNK = 0x4E4F534A;
     private static final int BINARY_CHUNK = 0x004E4942;
+    private final int squares;
+    private final Heights heights;
 
-    private final float[] positions;
-    private final int[] triangles;
+    /** The heights of two rows, and their numbers. */
+    private final float[][] rows = new float[2][];
+
+    private final int[] numbers = {-1, -1};
 
     /** Creates a landscape of {@code squares} by {@code squares} squares. */
-    public MeshFiles(int squares) {
-        int stride = squares + 1;
-        positions = new float[3 * stride * stride];
-        triangles = new int[6 * squares * squares];
-        int to = 0;
-        int at = 0;
-        for (int row = 0; row <= squares; row++) {
-            for (int column = 0; column <= squares; column++) {
-                double x = 2.0 * column / squares - 1;
-                double y = 2.0 * row / squares - 1;
-                positions[to++] = (float) x;
-                positions[to++] = (float) y;
-                positions[to++] = (float) (0.2 * StrictMath.sin(5 * x + 1) * StrictMath.sin(7 * y));
-                if (row < squares && column < squares) {
-                    int corner = row * stride + column;
-                    for (int offset : new int[] {0, 1, stride + 1, 0, stride + 1, stride}) {
-                        triangles[at++] = corner + offset;
-                    }
-                }
-            }
-        }
+    public MeshFiles(int squares, Heights heights) {
+        this.squares = squares;
+        this.heights = heights;
+    }
+
+    public int vertexCount() {
+        return (squares + 1) * (squares + 1);
+    }
+
+    public int triangleCount() {
+        return 2 * squares * squares;
     }
 
     /** Returns the landscape as a scene. */
-    public Scene scene() {
-        return Scene.builder().add(new Mesh(positions, triangles)).build();
-    }
-
-    /** Returns the plain loops that read the files of this landscape. */
-    public PlainLoops plainLoops() {
-        return new PlainLoops(positions.length, triangles.length);
-    }
-
-    /** Returns a scene with only the shapes of the meshes, flat-shaded, seen from the front. */
-    public static Scene facets(Scene scene) {
-        Scene.Builder facets = Scene.builder()
-                .viewpoint(Camera.fit(0.0, 0.0, 1.0, Fit.ORTHOGRAPHIC))
-                .background(Rgba.BLACK);
-        Material material = new Material(Rgba.WHITE).withShading(Shading.FLAT);
-        for (Surface surface : scene.getSurfaces()) {
-            if (surface instanceof Mesh mesh) {
-                facets.add(new Mesh(mesh.getPositions(), mesh.getTriangles(), material));
-            }
+    public Scene scene() throws IOException {
+        float[] positions = new float[3 * vertexCount()];
+        for (int i = 0; i < positions.length; i++) {
+            positions[i] = coordinate(i / 3, i % 3);
         }
-        return facets.build();
+        IntBuffer corners = IntBuffer.allocate(3 * triangleCount());
+        eachTriangle((a, b, c) -> corners.put(a).put(b).put(c));
+        return Scene.builder().add(new Mesh(positions, corners.array())).build();
     }
 
     /**
-     * Writes the landscape in the format given by the extension of the file name.
+     * Writes the landscape.
      *
-     * @throws IllegalArgumentException if the extension is not {@code .obj}, {@code .stl}, {@code .ply} or
-     *     {@code .glb}
+     * @param format {@code stl}, {@code ply} and {@code glb}, which are binary, {@code ply-text} or {@code obj}
+     * @throws IllegalArgumentException if it is another
      */
-    public void write(Path file) throws IOException {
-        String name = file.toString();
-        switch (name.substring(name.lastIndexOf('.') + 1)) {
-            case "obj" -> Files.writeString(file, obj());
-            case "stl" -> Files.write(file, stl());
-            case "ply" -> Files.write(file, ply());
-            case "glb" -> Files.write(file, glb());
-            default -> throw new IllegalArgumentException("neither .obj, .stl, .ply nor .glb: " + file);
-        }
-    }
-
-    private String obj() {
-        StringBuilder text = new StringBuilder();
-        for (int i = 0; i < positions.length; i += 3) {
-            text.append("v ").append(positions[i]).append(' ').append(positions[i + 1]);
-            text.append(' ').append(positions[i + 2]).append('\n');
-        }
-        for (int i = 0; i < triangles.length; i += 3) {
-            text.append("f ").append(triangles[i] + 1).append(' ').append(triangles[i + 1] + 1);
-            text.append(' ').append(triangles[i + 2] + 1).append('\n');
-        }
-        return text.toString();
-    }
-
-    private byte[] stl() {
-        ByteBuffer bytes = littleEndian(84 + 50 * (triangles.length / 3));
-        bytes.position(80).putInt(triangles.length / 3);
-        for (int i = 0; i < triangles.length; i += 3) {
-            bytes.putFloat(0f).putFloat(0f).putFloat(0f);
-            for (int corner = i; corner < i + 3; corner++) {
-                for (int axis = 0; axis < 3; axis++) {
-                    bytes.putFloat(positions[3 * triangles[corner] + axis]);
-                }
+    public void write(Path file, String format) throws IOException {
+        try (OutputStream output = new BufferedOutputStream(Files.newOutputStream(file), 1 << 16)) {
+            switch (format) {
+                case "stl" -> stl(output);
+                case "ply" -> ply(output);
+                case "glb" -> glb(output);
+                case "ply-text" -> text(output, plyHeader("ascii"), "", "3 ", 0);
+                case "obj" -> text(output, "", "v ", "f ", 1);
+                default -> throw new IllegalArgumentException("--format: stl, ply, glb, ply-text or obj: " + format);
             }
-            bytes.putShort((short) 0);
         }
-        return bytes.array();
     }
 
-    private byte[] ply() {
-        String header = """
+    /** Returns x (0), y (1) or z (2) of a vertex. */
+    private float coordinate(int vertex, int axis) {
+        int row = vertex / (squares + 1);
+        int column = vertex % (squares + 1);
+        if (axis < 2) {
+            return 2f * (axis == 0 ? column : row) / squares - 1;
+        }
+        int place = row & 1;
+        if (numbers[place] != row) {
+            rows[place] = heights.of(squares, row);
+            numbers[place] = row;
+        }
+        return rows[place][column];
+    }
+
+    private void eachTriangle(Corners triangles) throws IOException {
+        for (int near = 0; near < vertexCount() - squares - 1; near++) {
+            if (near % (squares + 1) < squares) {
+                int far = near + squares + 1;
+                triangles.add(near, near + 1, far);
+                triangles.add(near + 1, far + 1, far);
+            }
+        }
+    }
+
+    private void text(OutputStream output, String header, String vertex, String face, int first) throws IOException {
+        output.write(ascii(header));
+        for (int i = 0; i < vertexCount(); i++) {
+            String place = coordinate(i, 0) + " " + coordinate(i, 1) + " " + coordinate(i, 2);
+            output.write(ascii(vertex + place + "\n"));
+        }
+        eachTriangle(
+                (a, b, c) -> output.write(ascii(face + (a + first) + ' ' + (b + first) + ' ' + (c + first) + '\n')));
+    }
+
+    private void stl(OutputStream output) throws IOException {
+        output.write(littleEndian(84).putInt(80, triangleCount()).array());
+        ByteBuffer facet = littleEndian(50);
+        eachTriangle((a, b, c) -> {
+            facet.position(12);
+            putPoint(facet, a);
+            putPoint(facet, b);
+            putPoint(facet, c);
+            output.write(facet.array());
+        });
+    }
+
+    private void ply(OutputStream output) throws IOException {
+        output.write(ascii(plyHeader("binary_little_endian")));
+        positions(output);
+        ByteBuffer face = littleEndian(1 + 3 * Integer.BYTES);
+        eachTriangle((a, b, c) -> output.write(
+                face.clear().put((byte) 3).putInt(a).putInt(b).putInt(c).array()));
+    }
+
+    private String plyHeader(String format) {
+        return """
                 ply
-                format binary_little_endian 1.0
+                format %s 1.0
                 element vertex %d
                 property float x
                 property float y
@@ -127,27 +146,12 @@ public final class MeshFiles {
                 element face %d
                 property list uchar int vertex_indices
                 end_header
-                """.formatted(positions.length / 3, triangles.length / 3);
-        byte[] text = header.getBytes(StandardCharsets.US_ASCII);
-        int faceBytes = 1 + 3 * Integer.BYTES;
-        ByteBuffer bytes =
-                littleEndian(text.length + Float.BYTES * positions.length + faceBytes * triangles.length / 3);
-        bytes.put(text);
-        for (float position : positions) {
-            bytes.putFloat(position);
-        }
-        for (int i = 0; i < triangles.length; i++) {
-            if (i % 3 == 0) {
-                bytes.put((byte) 3);
-            }
-            bytes.putInt(triangles[i]);
-        }
-        return bytes.array();
+                """.formatted(format, vertexCount(), triangleCount());
     }
 
-    private byte[] glb() {
-        int positionBytes = Float.BYTES * positions.length;
-        int indexBytes = Integer.BYTES * triangles.length;
+    private void glb(OutputStream output) throws IOException {
+        int positionBytes = 3 * Float.BYTES * vertexCount();
+        int indexBytes = 3 * Integer.BYTES * triangleCount();
         String json = """
                 {"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],\
                 "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],\
@@ -161,21 +165,37 @@ public final class MeshFiles {
                         positionBytes,
                         positionBytes,
                         indexBytes,
-                        positions.length / 3,
-                        triangles.length);
-        byte[] text = (json + " ".repeat(-json.length() & 3)).getBytes(StandardCharsets.US_ASCII);
+                        vertexCount(),
+                        3 * triangleCount());
+        byte[] text = ascii(json + " ".repeat(-json.length() & 3));
         int total = 12 + 8 + text.length + 8 + positionBytes + indexBytes;
-        ByteBuffer bytes = littleEndian(total);
-        bytes.put("glTF".getBytes(StandardCharsets.US_ASCII)).putInt(2).putInt(total);
-        bytes.putInt(text.length).putInt(JSON_CHUNK).put(text);
-        bytes.putInt(positionBytes + indexBytes).putInt(BINARY_CHUNK);
-        for (float position : positions) {
-            bytes.putFloat(position);
+        ByteBuffer header = littleEndian(total - positionBytes - indexBytes);
+        header.put(ascii("glTF")).putInt(2).putInt(total);
+        header.putInt(text.length).putInt(JSON_CHUNK).put(text);
+        output.write(
+                header.putInt(positionBytes + indexBytes).putInt(BINARY_CHUNK).array());
+        positions(output);
+        ByteBuffer corners = littleEndian(3 * Integer.BYTES);
+        eachTriangle((a, b, c) ->
+                output.write(corners.clear().putInt(a).putInt(b).putInt(c).array()));
+    }
+
+    private void positions(OutputStream output) throws IOException {
+        ByteBuffer point = littleEndian(3 * Float.BYTES);
+        for (int vertex = 0; vertex < vertexCount(); vertex++) {
+            putPoint(point.clear(), vertex);
+            output.write(point.array());
         }
-        for (int vertex : triangles) {
-            bytes.putInt(vertex);
+    }
+
+    private void putPoint(ByteBuffer to, int vertex) {
+        for (int axis = 0; axis < 3; axis++) {
+            to.putFloat(coordinate(vertex, axis));
         }
-        return bytes.array();
+    }
+
+    private static byte[] ascii(String text) {
+        return text.getBytes(StandardCharsets.US_ASCII);
     }
 
     private static ByteBuffer littleEndian(int size) {

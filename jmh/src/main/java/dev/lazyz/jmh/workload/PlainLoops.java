@@ -37,7 +37,7 @@ public final class PlainLoops {
     private final int cornerCount;
 
     /** Creates loops for files with this number of coordinates and of triangle corners. */
-    PlainLoops(int positionCount, int cornerCount) {
+    public PlainLoops(int positionCount, int cornerCount) {
         this.positionCount = positionCount;
         this.cornerCount = cornerCount;
     }
