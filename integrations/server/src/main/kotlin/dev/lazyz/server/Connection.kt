@@ -16,10 +16,13 @@ import io.netty.handler.codec.http.HttpUtil
 import io.netty.handler.codec.http.HttpVersion
 import io.netty.handler.codec.http.LastHttpContent
 import io.netty.handler.codec.http.QueryStringDecoder
+import io.netty.util.concurrent.EventExecutor
 import java.io.IOException
 import java.net.InetSocketAddress
 import java.time.Duration
+import java.util.concurrent.Future
 import java.util.concurrent.RejectedExecutionException
+import java.util.concurrent.TimeUnit
 
 /**
  * One connection: takes requests one after the other, and answers each. Everything happens on the event loop of the
@@ -256,5 +259,33 @@ internal class Connection(private val service: Service) : SimpleChannelInboundHa
         const val RATE_GRACE = 5.0
         val RATE_PERIOD: Duration = Duration.ofSeconds(1)
         val LINGER: Duration = Duration.ofSeconds(2)
+    }
+}
+
+/** The time limit of a connection, and what it checks from time to time. Used on its event loop, [executor]. */
+internal class Clock(private val executor: EventExecutor) {
+    private var limit: Future<*>? = null
+    private var repetition: Future<*>? = null
+
+    /** Calls [act] after [time], in place of the limit before. */
+    fun after(time: Duration, act: () -> Unit) {
+        end()
+        limit = executor.schedule(act, time.toMillis(), TimeUnit.MILLISECONDS)
+    }
+
+    /** Ends the limit. */
+    fun end() {
+        limit?.cancel(false)
+    }
+
+    /** Calls [act] once each [time], in place of the repetition before. */
+    fun each(time: Duration, act: () -> Unit) {
+        endEach()
+        repetition = executor.scheduleAtFixedRate(act, time.toMillis(), time.toMillis(), TimeUnit.MILLISECONDS)
+    }
+
+    /** Ends the repetition. */
+    fun endEach() {
+        repetition?.cancel(false)
     }
 }

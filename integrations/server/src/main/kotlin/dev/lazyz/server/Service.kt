@@ -5,7 +5,12 @@ import dev.lazyz.server.render.MemoryBudget
 import dev.lazyz.server.render.PictureMaker
 import dev.lazyz.server.render.Problem
 import dev.lazyz.server.render.RenderQueue
+import java.util.concurrent.ConcurrentSkipListMap
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.atomic.AtomicLong
+import java.util.concurrent.atomic.LongAdder
 import java.util.function.Consumer
 
 /** What all connections of a server share. Thread safe. */
@@ -78,5 +83,136 @@ internal class Service(val config: ServerConfig) : AutoCloseable {
     private companion object {
         const val UPLOAD_PART = 4
         val LOGGER: System.Logger = System.getLogger("dev.lazyz.server")
+    }
+}
+
+/**
+ * Passes lines to [consumer], without control characters, on a thread of its own: if it is slow, because nobody reads
+ * the output of the process, requests do not wait for it. Lines that are too many meanwhile are dropped and counted.
+ */
+internal class LineLog(private val consumer: Consumer<String>) : AutoCloseable {
+    private val lines = LinkedBlockingQueue<String>(CAPACITY)
+    private val dropped = AtomicLong()
+
+    @Volatile
+    private var isClosed = false
+    private val thread = Thread({ run() }, "lazyz-log").apply {
+        isDaemon = true
+        start()
+    }
+
+    fun add(line: String) {
+        if (!lines.offer(line)) dropped.incrementAndGet()
+    }
+
+    /** Waits a moment until all lines are written. */
+    override fun close() {
+        isClosed = true
+        thread.join(LAST_LINES)
+    }
+
+    private fun run() {
+        while (true) {
+            val line = lines.poll(PERIOD, TimeUnit.MILLISECONDS)
+            if (line == null && isClosed) return
+            if (line != null) write(line)
+            val lost = dropped.getAndSet(0)
+            if (lost > 0) write("$lost lines of the log were dropped, since it is too slow")
+        }
+    }
+
+    /** A log that fails does not stop the work. */
+    private fun write(line: String) = try {
+        consumer.accept(line.map { if (it in ' '..'~') it else '?' }.joinToString(""))
+    } catch (failure: RuntimeException) {
+        LOGGER.log(System.Logger.Level.ERROR, "a line of the log could not be written: $line", failure)
+    }
+
+    private companion object {
+        const val CAPACITY = 10_000
+
+        /** Milliseconds. */
+        const val PERIOD = 50L
+        const val LAST_LINES = 1000L
+        val LOGGER: System.Logger = System.getLogger("dev.lazyz.server")
+    }
+}
+
+/** The numbers of a server, in the text format of Prometheus (version 0.0.4). Thread safe. */
+internal class Metrics {
+    private class Family(val type: String, val help: String) {
+        private val samples = LinkedHashMap<String, () -> Number>()
+
+        /** Adds a number, after those before. */
+        fun add(sample: String, read: () -> Number) = synchronized(samples) { samples[sample] = read }
+
+        /** Returns all numbers, in the order in which they were added. */
+        fun all(): Map<String, () -> Number> = synchronized(samples) { LinkedHashMap(samples) }
+    }
+
+    /** A number that only grows. */
+    class Counter {
+        private val sum = LongAdder()
+
+        fun add(count: Long = 1) = sum.add(count)
+
+        val value: Long get() = sum.sum()
+    }
+
+    /** Counts durations by upper bounds. */
+    inner class Histogram(name: String, help: String) {
+        private val counts = BOUNDS.map { Counter() }
+        private val all = Counter()
+        private val nanoseconds = Counter()
+
+        init {
+            val family = family(name, "histogram", help)
+            BOUNDS.forEachIndexed { i, bound ->
+                family.add("${name}_bucket{le=\"$bound\"}") { counts.take(i + 1).sumOf { it.value } }
+            }
+            family.add("${name}_bucket{le=\"+Inf\"}") { all.value }
+            family.add("${name}_count") { all.value }
+            family.add("${name}_sum") { nanoseconds.value / 1e9 }
+        }
+
+        fun add(duration: Long) {
+            val seconds = duration / 1e9
+            BOUNDS.indexOfFirst { seconds <= it }.let { if (it >= 0) counts[it].add() }
+            all.add()
+            nanoseconds.add(duration)
+        }
+    }
+
+    private val families = ConcurrentSkipListMap<String, Family>()
+    private val counters = ConcurrentSkipListMap<String, Counter>()
+
+    /** Returns the counter called [name] with the [labels], such as `status="200"`. */
+    fun counter(name: String, help: String, labels: String = ""): Counter {
+        val sample = if (labels.isEmpty()) name else "$name{$labels}"
+        return counters.computeIfAbsent(sample) {
+            Counter().also { counter -> family(name, "counter", help).add(sample) { counter.value } }
+        }
+    }
+
+    /** Adds a number that is read when it is asked for. */
+    fun gauge(name: String, help: String, read: () -> Number) {
+        family(name, "gauge", help).add(name, read)
+    }
+
+    /** Returns all numbers. */
+    fun text(): String = buildString {
+        for ((name, family) in families) {
+            append("# HELP ").append(name).append(' ').append(family.help).append('\n')
+            append("# TYPE ").append(name).append(' ').append(family.type).append('\n')
+            for ((sample, read) in family.all()) append(sample).append(' ').append(read()).append('\n')
+        }
+    }
+
+    private fun family(name: String, type: String, help: String): Family =
+        families.computeIfAbsent(name) { Family(type, help) }
+
+    private companion object {
+        /** Seconds. */
+        val BOUNDS = listOf(0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0)
     }
 }

@@ -1,11 +1,14 @@
 package dev.lazyz.server.render
 
 import dev.lazyz.RenderOptions
+import dev.lazyz.aov.Aov
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.outputs.PictureOutput
+import dev.lazyz.scenes.pictures.Blank
 import dev.lazyz.scenes.pictures.NoPictureException
 import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.pictures.PictureObserver
@@ -15,6 +18,11 @@ import dev.lazyz.scenes.zip.ModelArchive
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.Mesh
+import java.io.ByteArrayInputStream
+import java.io.ByteArrayOutputStream
+import java.io.InputStream
+import java.security.MessageDigest
+import java.util.HexFormat
 import java.util.concurrent.ForkJoinPool
 
 /**
@@ -129,7 +137,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         }
         if (writer.counters.fragments == 0L) throw nothing(loaded)
         val warnings = loaded.warnings + observer.warnings.distinct()
-        return RenderedPicture(file, request, writer, warnings)
+        return RenderedPicture.of(file, writer, warnings)
     }
 
     /** Returns the problem that the picture is empty, with the reasons. */
@@ -198,5 +206,67 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
         /** A block of a PNG file while it is compressed, see [dev.lazyz.scenes.writers.PngSink]. */
         private const val BLOCK_BYTES = 1L shl 20
         private const val MOST_BLOCKS = 17
+    }
+}
+
+/**
+ * A finished picture.
+ *
+ * @param file the bytes of a file
+ * @property type its media type
+ * @property tag names the picture: two with the same pixels, or the same data, have the same
+ * @param warnings what the loader has left out
+ * @property blank why there is nothing to see in it, or null
+ * @property isCropped whether a part of the model is outside
+ */
+internal class RenderedPicture(
+    private val file: Bytes,
+    val type: String,
+    val tag: String,
+    warnings: List<String>,
+    val blank: Blank?,
+    val isCropped: Boolean,
+) {
+    /** The number of warnings. */
+    val warningCount = warnings.size
+
+    /** The first warnings, for the client. */
+    val warnings: List<String> = warnings.take(MOST_WARNINGS).map(ClientText::of)
+
+    /** The bytes of the file. */
+    val size: Int get() = file.size()
+
+    /** The bytes of memory that it takes: its array has room to grow. */
+    val memory: Long get() = file.room.toLong()
+
+    fun open(): InputStream = file.open()
+
+    companion object {
+        private const val MOST_WARNINGS = 5
+
+        /** Returns the picture that [written] has written to [file]. */
+        fun of(file: Bytes, written: PictureOutput.Writer, warnings: List<String>): RenderedPicture {
+            val tag = with(written.output) {
+                val turn = steps?.let { listOf(it, framesPerSecond) }.orEmpty()
+                val words = aovs.sorted().map(Aov::id) + views.map { it.name.lowercase() }
+                val digest = if (aovs.isEmpty()) written.hash else file.digest()
+                (listOf(written.size, digest) + turn + words).joinToString("-")
+            }
+            return RenderedPicture(file, written.output.mediaType, tag, warnings, written.blank, written.isCropped)
+        }
+    }
+
+    /** Collects bytes, and reads them again without a copy. */
+    class Bytes : ByteArrayOutputStream() {
+        /** The length of the array. */
+        val room: Int get() = buf.size
+
+        /** The SHA-256 of the bytes. */
+        fun digest(): String {
+            val sha = MessageDigest.getInstance("SHA-256").also { it.update(buf, 0, count) }
+            return HexFormat.of().formatHex(sha.digest())
+        }
+
+        fun open(): InputStream = ByteArrayInputStream(buf, 0, count)
     }
 }

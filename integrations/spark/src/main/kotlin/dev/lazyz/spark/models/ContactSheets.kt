@@ -54,7 +54,6 @@ internal class ContactSheets(
     }
 
     private companion object {
-        const val serialVersionUID = 1L
         const val WHITE = -1
 
         val CELLS: StructType = StructType().add("sheet", DataTypes.LongType).add("place", DataTypes.IntegerType)

@@ -86,8 +86,4 @@ internal class SerializableLimits(limits: LoadLimits) : Serializable {
     /** Returns the limits. */
     fun limits(): LoadLimits =
         LoadLimits(decodedBytes, triangles, vertices, texels, nesting, time, references, items = items)
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
 }

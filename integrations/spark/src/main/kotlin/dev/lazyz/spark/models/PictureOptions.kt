@@ -79,7 +79,6 @@ public class PictureOptions(public val words: String) : Serializable {
     override fun toString(): String = "PictureOptions($words)"
 
     public companion object {
-        private const val serialVersionUID = 1L
         private const val COLUMNS = "output"
         private const val MODEL = "model"
         private val USUAL = PictureSettings().withDefault(PictureParameters.SIZE, ImageSize(256, 256))

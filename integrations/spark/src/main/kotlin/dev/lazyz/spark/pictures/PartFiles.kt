@@ -99,7 +99,6 @@ internal class PartFiles(private val folder: String) : Serializable {
     }
 
     private companion object {
-        const val serialVersionUID = 1L
         const val FACTS = "picture.txt"
         const val PART = ".part"
         const val TEMPORARY = ".tmp"

@@ -32,10 +32,6 @@ internal class OncePerJvm(private val source: PictureSource) : Serializable {
     /** Does the work of a task. A source that holds its frame is notified. */
     fun <T> rendering(work: (SampledFrame) -> T): T =
         if (source is TaskWitness) source.during { work(picture()) } else work(picture())
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
 }
 
 /** A source that wants to know when tasks run, and what they throw. */

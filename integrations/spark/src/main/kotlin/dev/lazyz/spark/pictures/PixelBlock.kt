@@ -2,6 +2,7 @@ package dev.lazyz.spark.pictures
 
 import dev.lazyz.Counters
 import dev.lazyz.Region
+import dev.lazyz.RowSink
 import java.io.ByteArrayOutputStream
 import java.io.DataInputStream
 import java.io.DataOutputStream
@@ -40,6 +41,20 @@ internal class PixelBlock private constructor(
     fun forEachRow(take: (y: Int, row: IntArray) -> Unit) {
         val reader = reader()
         for (y in rowStart until rowEnd) take(y, reader.next())
+    }
+
+    /** Passes all rows to [sink], in arrays that are used again. Depths and primitives are 0 if it has only colours. */
+    fun sendTo(sink: RowSink) {
+        val width = columnEnd - columnStart
+        val (argb, depth, primitive) = List(3) { IntArray(width) }
+        forEachRow { y, row ->
+            row.copyInto(argb, 0, 0, width)
+            if (planes > 1) {
+                row.copyInto(depth, 0, width, 2 * width)
+                row.copyInto(primitive, 0, 2 * width, 3 * width)
+            }
+            sink.row(y, argb, depth, primitive)
+        }
     }
 
     /** Returns a reader of the rows from the top. */
@@ -82,18 +97,13 @@ internal class PixelBlock private constructor(
         /** Returns the block. */
         fun build(counters: Counters): PixelBlock {
             output.close()
-            val work = with(counters) {
-                longArrayOf(primitives, fragments, depthEvaluations, depthPasses, shadingCalls, peakBytes)
-            }
             return with(region) {
-                PixelBlock(columnStart, rowStart, columnEnd, rowEnd, planes, bytes.toByteArray(), work)
+                PixelBlock(columnStart, rowStart, columnEnd, rowEnd, planes, bytes.toByteArray(), work(counters))
             }
         }
     }
 
     companion object {
-        private const val serialVersionUID = 1L
-
         /**
          * Reads the block of [region].
          *
@@ -109,6 +119,11 @@ internal class PixelBlock private constructor(
 
         /** How many counters there are. */
         private const val WORK = 6
+
+        /** Returns the numbers of [counters] that tasks report, see [counters]. */
+        fun work(counters: Counters): LongArray = with(counters) {
+            longArrayOf(primitives, fragments, depthEvaluations, depthPasses, shadingCalls, peakBytes)
+        }
 
         /** Returns counters of the numbers in a block. */
         fun counters(work: LongArray): Counters = Counters.Builder().apply {

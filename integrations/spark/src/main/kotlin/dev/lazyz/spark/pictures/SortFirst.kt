@@ -43,26 +43,16 @@ internal class SortFirst(
         val bands = blocks(regions).persist(StorageLevel.DISK_ONLY())
         try {
             bands.count()
-            return handOut(bands.toLocalIterator(), regions.first().width, sink)
+            return handOut(bands.toLocalIterator(), sink)
         } finally {
             bands.unpersist(false)
         }
     }
 
-    private fun handOut(bands: Iterator<PixelBlock>, width: Int, sink: RowSink): Counters {
+    private fun handOut(bands: Iterator<PixelBlock>, sink: RowSink): Counters {
         val sum = Counters.Builder()
-        val argb = IntArray(width)
-        val depth = IntArray(width)
-        val primitive = IntArray(width)
         for (band in bands) {
-            band.forEachRow { y, row ->
-                row.copyInto(argb, 0, 0, width)
-                if (planes == ALL_PLANES) {
-                    row.copyInto(depth, 0, width, 2 * width)
-                    row.copyInto(primitive, 0, 2 * width, 3 * width)
-                }
-                sink.row(y, argb, depth, primitive)
-            }
+            band.sendTo(sink)
             sum.add(band.counters)
             sum.primitives = band.counters.primitives
         }
@@ -95,10 +85,6 @@ internal class SortFirst(
                 }
                 block.build(counters)
             }
-        }
-
-        private companion object {
-            const val serialVersionUID = 1L
         }
     }
 

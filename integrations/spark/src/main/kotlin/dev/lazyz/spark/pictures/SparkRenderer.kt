@@ -115,10 +115,6 @@ public class SparkRenderer(spark: SparkSession) : Renderer {
         override fun picture(): SampledFrame = held().picture
 
         override fun <T> during(work: () -> T): T = held().during(work)
-
-        private companion object {
-            const val serialVersionUID = 1L
-        }
     }
 
     private companion object {

@@ -121,7 +121,6 @@ internal class FragmentRuns private constructor(private val bytes: ByteArray, pr
     }
 
     private companion object {
-        const val serialVersionUID = 1L
         const val LOWER = 0xFFFFFFFFL
 
         /** Most samples of a run. */

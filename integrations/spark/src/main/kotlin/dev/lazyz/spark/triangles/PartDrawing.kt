@@ -8,9 +8,13 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.Mesh
+import dev.lazyz.world.surface.Surface
 import java.io.Serializable
+import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /**
  * What all tasks of a picture know: the scene without its triangles, the camera and the raster.
@@ -37,8 +41,6 @@ internal class PictureSetUp(
     fun drawing(): PartDrawing = PartDrawing(this, scene, camera.camera())
 
     companion object {
-        private const val serialVersionUID = 1L
-
         /** Samples of a band, at 12 bytes each. */
         private const val BAND = 1 shl 20
 
@@ -138,4 +140,45 @@ internal class PartDrawing(
 
         private val NOTHING = Mesh(FloatArray(0), IntArray(0))
     }
+}
+
+/** The values of a camera, on their way to an executor. */
+internal class SerializableCamera(camera: Camera) : Serializable {
+    private val eye = values(camera.eye)
+    private val target = values(camera.target)
+    private val up = values(camera.up)
+    private val near = camera.near
+    private val far = camera.far
+    private val fieldOfView = (camera.projection as? Projection.Perspective)?.verticalFieldOfView
+    private val height = (camera.projection as? Projection.Orthographic)?.height
+
+    /** Returns the camera. */
+    fun camera(): Camera = when {
+        fieldOfView != null -> Camera.perspective(vector(eye), vector(target), vector(up), fieldOfView, near, far)
+        height != null -> Camera.orthographic(vector(eye), vector(target), vector(up), height, near, far)
+        else -> Camera.screen(near, far)
+    }
+
+    private companion object {
+        fun values(v: Vector3dc) = doubleArrayOf(v.x(), v.y(), v.z())
+
+        fun vector(v: DoubleArray) = Vector3d(v[0], v[1], v[2])
+    }
+}
+
+/**
+ * Makes the scene around triangles: their material, the axis that points up, lights, a background, a viewpoint. It is
+ * sent to all executors, and called with some of the triangles at a time; so its result must be the same for all, apart
+ * from them. In Kotlin and Java it can be a lambda:
+ *
+ * ```
+ * TriangleScene { triangles -> Scene(listOf(triangles)).withUpAxis(UpAxis.Z) }
+ * ```
+ *
+ * The scene must have this one surface, which may have another material and another axis up, but not other triangles.
+ * It must be opaque.
+ */
+public fun interface TriangleScene : Serializable {
+    /** Returns the scene of some [triangles]. */
+    public fun scene(triangles: Surface): Scene
 }

@@ -26,8 +26,6 @@ internal class TriangleChunk private constructor(private val indices: IntArray, 
     }
 
     companion object {
-        private const val serialVersionUID = 1L
-
         /** Triangles that are drawn at a time. */
         const val MOST: Int = 1 shl 17
 

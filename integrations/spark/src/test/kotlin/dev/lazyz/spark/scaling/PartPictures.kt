@@ -1,6 +1,7 @@
 package dev.lazyz.spark.scaling
 
 import dev.lazyz.Counters
+import dev.lazyz.spark.pictures.PixelBlock
 import dev.lazyz.spark.triangles.FragmentRuns
 import dev.lazyz.spark.triangles.PictureSetUp
 import dev.lazyz.spark.triangles.SerializableCamera
@@ -116,7 +117,7 @@ internal class PartPictures(
 
     companion object {
         private const val FRAGMENTS = 1
-        private val NO_WORK = BandPart.work(Counters.NONE)
+        private val NO_WORK = PixelBlock.work(Counters.NONE)
         private val threads = ManagementFactory.getThreadMXBean()
 
         /** Calls [work], and returns its result with the processor time of this thread. */

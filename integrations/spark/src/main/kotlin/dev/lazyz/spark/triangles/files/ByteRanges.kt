@@ -9,7 +9,6 @@ import java.nio.ByteOrder
 import org.apache.hadoop.fs.FSDataInputStream
 import org.apache.hadoop.fs.Path
 import org.apache.spark.api.java.JavaSparkContext
-import org.apache.spark.api.java.function.FlatMapFunction
 import org.apache.spark.sql.Dataset
 import org.apache.spark.sql.Row
 import org.apache.spark.sql.SparkSession
@@ -48,8 +47,6 @@ internal class SharedFile(val path: String, private val hadoop: SerializableConf
     private fun place() = Path(path)
 
     companion object {
-        private const val serialVersionUID = 1L
-
         fun of(spark: SparkSession, path: String): SharedFile =
             SharedFile(path, SerializableConfiguration(spark.sparkContext().hadoopConfiguration()))
     }
@@ -63,8 +60,6 @@ internal class SharedFile(val path: String, private val hadoop: SerializableConf
  */
 internal class ByteRange(val start: Long, val first: Long, val count: Int) : Serializable {
     companion object {
-        private const val serialVersionUID = 1L
-
         /** Returns ranges of at most [partitionBytes] of [count] records of [stride] bytes, which begin at [start]. */
         fun divide(start: Long, count: Long, stride: Int, partitionBytes: Long): List<ByteRange> {
             require(partitionBytes in 1..(1L shl 30)) { "partitionBytes must be in 1..2^30: $partitionBytes" }
@@ -85,15 +80,7 @@ internal object ByteRanges {
     /** Returns the rows of all [ranges], a partition for each. */
     fun read(spark: SparkSession, ranges: List<ByteRange>, reader: RecordReader, schema: StructType): Dataset<Row> {
         val context = JavaSparkContext.fromSparkContext(spark.sparkContext())
-        val rows = context.parallelize(ranges, maxOf(ranges.size, 1)).flatMap(ReadRange(reader))
+        val rows = context.parallelize(ranges, maxOf(ranges.size, 1)).flatMap { reader.rows(it) }
         return spark.createDataFrame(rows, schema)
-    }
-
-    private class ReadRange(private val reader: RecordReader) : FlatMapFunction<ByteRange, Row> {
-        override fun call(range: ByteRange): Iterator<Row> = reader.rows(range)
-
-        private companion object {
-            const val serialVersionUID = 1L
-        }
     }
 }

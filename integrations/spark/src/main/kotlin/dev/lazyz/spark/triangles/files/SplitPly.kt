@@ -48,8 +48,6 @@ internal class SplitPly private constructor(val bytes: SharedFile, records: PlyR
     }
 
     companion object {
-        private const val serialVersionUID = 1L
-
         fun fail(path: String, place: String?, problem: String): Nothing = throw SceneFormatException(
             path, place, problem, "load it with Scenes.load, or convert it to binary PLY with plain triangles",
         )
@@ -79,7 +77,6 @@ internal class VertexRecords(private val file: SplitPly) : RecordReader {
     }
 
     companion object {
-        private const val serialVersionUID = 1L
         val SCHEMA: StructType = StructType().add("vertex", DataTypes.LongType, false)
             .add("x", DataTypes.FloatType, false).add("y", DataTypes.FloatType, false)
             .add("z", DataTypes.FloatType, false)
@@ -102,7 +99,6 @@ internal class FaceRecords(private val file: SplitPly) : RecordReader {
     }
 
     companion object {
-        private const val serialVersionUID = 1L
         val SCHEMA: StructType = StructType().add("index", DataTypes.LongType, false)
             .add("v0", DataTypes.LongType, false).add("v1", DataTypes.LongType, false)
             .add("v2", DataTypes.LongType, false)

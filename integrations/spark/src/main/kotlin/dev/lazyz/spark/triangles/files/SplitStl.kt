@@ -58,8 +58,6 @@ internal class StlFacets(private val file: SharedFile) : RecordReader {
     }
 
     private companion object {
-        const val serialVersionUID = 1L
-
         /** Bytes of the normal, before the corners. */
         const val NORMAL = 12
         const val WORD = 48

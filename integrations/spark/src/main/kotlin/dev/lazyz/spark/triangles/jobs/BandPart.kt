@@ -1,6 +1,5 @@
 package dev.lazyz.spark.triangles.jobs
 
-import dev.lazyz.Counters
 import dev.lazyz.spark.pictures.PixelBlock
 import dev.lazyz.spark.triangles.BandSamples
 import dev.lazyz.spark.triangles.FragmentRuns
@@ -9,11 +8,7 @@ import java.io.Serializable
 import org.apache.spark.broadcast.Broadcast
 
 /** A part of a band: [group] is the number of the partition, or of some partitions that were merged. */
-internal data class BandKey(val band: Int, val group: Int) : Serializable {
-    private companion object {
-        private const val serialVersionUID = 1L
-    }
-}
+internal data class BandKey(val band: Int, val group: Int) : Serializable
 
 /**
  * The nearest fragments of some triangles in a band, and what it took to find them.
@@ -23,13 +18,6 @@ internal data class BandKey(val band: Int, val group: Int) : Serializable {
  */
 internal class BandPart(val runs: FragmentRuns, val moved: Long, val work: LongArray) : Serializable {
     companion object {
-        private const val serialVersionUID = 1L
-
-        /** Returns the numbers of [counters] that tasks report. */
-        fun work(counters: Counters): LongArray = with(counters) {
-            longArrayOf(primitives, fragments, depthEvaluations, depthPasses, shadingCalls, peakBytes)
-        }
-
         /** Returns the sums, and the greatest peak. */
         fun sum(all: List<LongArray>): LongArray = LongArray(PEAK + 1) { i ->
             if (i == PEAK) all.maxOfOrNull { it[i] } ?: 0 else all.sumOf { it[i] }
@@ -42,8 +30,6 @@ internal class BandPart(val runs: FragmentRuns, val moved: Long, val work: LongA
 /** A finished band. */
 internal class FinishedBand(val pixels: PixelBlock, val moved: Long) : Serializable {
     companion object {
-        private const val serialVersionUID = 1L
-
         /** Returns the band of [samples], all of them with colours. */
         fun of(samples: BandSamples, moved: Long, work: LongArray): FinishedBand {
             val block = PixelBlock.Builder(samples.region, planes = 3)
@@ -78,8 +64,4 @@ internal class MergeParts(private val setUp: Broadcast<PictureSetUp>, private va
         with(merged(band, parts)) { BandPart(samples.toRuns(isShaded), moved, work) }
 
     class Merged(val samples: BandSamples, val moved: Long, val work: LongArray)
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
 }

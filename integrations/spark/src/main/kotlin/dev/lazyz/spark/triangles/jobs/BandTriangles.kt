@@ -1,5 +1,6 @@
 package dev.lazyz.spark.triangles.jobs
 
+import dev.lazyz.spark.pictures.PixelBlock
 import dev.lazyz.spark.triangles.BandSamples
 import dev.lazyz.spark.triangles.PictureSetUp
 import dev.lazyz.spark.triangles.TriangleChunk
@@ -46,10 +47,6 @@ private class ByBand(private val bands: Int) : Partitioner() {
     override fun equals(other: Any?): Boolean = other is ByBand && bands == other.bands
 
     override fun hashCode(): Int = bands
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
 }
 
 /** Draws a band with colours. */
@@ -71,11 +68,7 @@ private class DrawBand(
             drawing.part(chunk).draw(samples, isShaded = true)
             moved += chunk.size.toLong() * bytes
         }
-        val work = BandPart.sum(listOfNotNull(cost?.work, BandPart.work(drawing.work())))
+        val work = BandPart.sum(listOfNotNull(cost?.work, PixelBlock.work(drawing.work())))
         return listOf(Tuple2(band, FinishedBand.of(samples, moved, work))).iterator()
-    }
-
-    private companion object {
-        const val serialVersionUID = 1L
     }
 }

@@ -1,9 +1,14 @@
 package dev.lazyz.spark.triangles.jobs
 
 import dev.lazyz.Raster
+import dev.lazyz.spark.triangles.PictureSetUp
 import dev.lazyz.spark.triangles.ScreenReach
 import dev.lazyz.spark.triangles.TriangleChunk
 import dev.lazyz.world.Camera
+import org.apache.spark.api.java.JavaPairRDD
+import org.apache.spark.api.java.JavaRDD
+import org.apache.spark.broadcast.Broadcast
+import org.apache.spark.sql.Row
 
 /**
  * Estimates how many bytes cross from task to task, for each order.
@@ -75,5 +80,23 @@ internal class Planner(private val parts: List<PartFacts>, private val raster: R
 
         /** Bands that a triangle reaches. */
         const val OVERLAP = 1.1
+    }
+}
+
+/**
+ * Triangles are sent to the bands that they reach, and each band is drawn by a task ("sort-middle").
+ *
+ * Source: Steven Molnar, Michael Cox, David Ellsworth, Henry Fuchs, "A Sorting Classification of Parallel Rendering",
+ * IEEE Computer Graphics and Applications 14 (1994).
+ */
+internal class SortMiddle(private val rows: JavaRDD<Row>, private val setUp: Broadcast<PictureSetUp>) {
+    /** Returns the bands that show triangles. */
+    fun bands(): JavaPairRDD<Int, FinishedBand> {
+        val known = setUp
+        val sent = rows.mapPartitionsToPair { own ->
+            val drawing = known.value().drawing()
+            BandTriangles.sent(own) { drawing.part(it).byBand() }
+        }
+        return BandTriangles(setUp, sent).drawn(null, TriangleChunk.BYTES)
     }
 }

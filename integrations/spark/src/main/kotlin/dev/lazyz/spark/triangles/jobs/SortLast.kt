@@ -1,6 +1,7 @@
 package dev.lazyz.spark.triangles.jobs
 
 import dev.lazyz.Counters
+import dev.lazyz.spark.pictures.PixelBlock
 import dev.lazyz.spark.triangles.BandSamples
 import dev.lazyz.spark.triangles.PictureSetUp
 import dev.lazyz.spark.triangles.TriangleChunk
@@ -8,10 +9,7 @@ import org.apache.spark.Partitioner
 import org.apache.spark.api.java.JavaPairRDD
 import org.apache.spark.api.java.JavaRDD
 import org.apache.spark.api.java.JavaSparkContext
-import org.apache.spark.api.java.function.Function
 import org.apache.spark.api.java.function.Function2
-import org.apache.spark.api.java.function.PairFlatMapFunction
-import org.apache.spark.api.java.function.PairFunction
 import org.apache.spark.broadcast.Broadcast
 import org.apache.spark.sql.Row
 import scala.Tuple2
@@ -32,24 +30,37 @@ internal class SortLast(private val rows: JavaRDD<Row>, private val setUp: Broad
     /** Returns the bands that show triangles. With lazy shading, the keys are merged now. */
     fun bands(isLazy: Boolean): JavaPairRDD<Int, FinishedBand> {
         val merged = tree(!isLazy)
-        if (!isLazy) return merged.mapToPair(FinishBand(MergeParts(setUp, true)))
+        val merge = MergeParts(setUp, !isLazy)
+        if (!isLazy) {
+            return merged.mapToPair { parts ->
+                val all = merge.merged(parts._1(), parts._2())
+                Tuple2(parts._1(), FinishedBand.of(all.samples, all.moved, all.work))
+            }
+        }
 
-        val visible = merged.map(VisibleInBand(MergeParts(setUp, false))).collect()
-        val broadcast = context.broadcast(VisibleTriangles(visible))
-        return BandTriangles(setUp, rows.mapPartitionsToPair(SelectVisible(broadcast)))
-            .drawn(broadcast, Int.SIZE_BYTES + TriangleChunk.BYTES)
+        val visible = merged.map { parts ->
+            val all = merge.merged(parts._1(), parts._2())
+            VisibleTriangles.OfBand(parts._1(), all.samples.visible(), VisibleTriangles.Cost(all.moved, all.work))
+        }
+        val broadcast = context.broadcast(VisibleTriangles(visible.collect()))
+        val selected = rows.mapPartitionsToPair { BandTriangles.sent(it, broadcast.value()::byBand) }
+        return BandTriangles(setUp, selected).drawn(broadcast, Int.SIZE_BYTES + TriangleChunk.BYTES)
     }
 
     /** Returns the last parts to be merged, by band. */
     private fun tree(isShaded: Boolean): JavaPairRDD<Int, Iterable<BandPart>> {
         val merge = MergeParts(setUp, isShaded)
         val bands = setUp.value().bands
-        var parts = rows.mapPartitionsWithIndex(DrawPart(setUp, isShaded), false).mapToPair(Same<BandPart>())
+        var parts = rows.mapPartitionsWithIndex(DrawPart(setUp, isShaded), false).mapToPair { it }
         for (groups in groups(rows.numPartitions).dropLast(1)) {
             val tasks = ByBandAndGroup(groups, tasks(rows.numPartitions, bands, groups))
-            parts = parts.mapToPair(Grouped()).groupByKey(tasks).mapToPair(MergeGroup(merge))
+            parts = parts.mapToPair { Tuple2(BandKey(it._1().band, it._1().group / FAN_IN), it._2()) }
+                .groupByKey(tasks)
+                .mapToPair { Tuple2(it._1(), merge.part(it._1().band, it._2())) }
         }
-        return parts.mapToPair(OfBand()).groupByKey(tasks(rows.numPartitions, bands, groups = 1))
+        return parts.mapToPair {
+            Tuple2(it._1().band, it._2())
+        }.groupByKey(tasks(rows.numPartitions, bands, groups = 1))
     }
 
     companion object {
@@ -82,7 +93,7 @@ internal class DrawPart(private val setUp: Broadcast<PictureSetUp>, private val 
         val bands = LinkedHashMap<Int, BandSamples>(16, 0.75f, true)
         fun finish(band: Int) {
             val runs = bands.remove(band)!!.toRuns(isShaded)
-            finished += Tuple2(BandKey(band, number), BandPart(runs, 0, BandPart.work(Counters.NONE)))
+            finished += Tuple2(BandKey(band, number), BandPart(runs, 0, PixelBlock.work(Counters.NONE)))
         }
         for (chunk in TriangleChunk.chunks(rows)) {
             val part = drawing.part(chunk)
@@ -95,14 +106,12 @@ internal class DrawPart(private val setUp: Broadcast<PictureSetUp>, private val 
         bands.keys.toList().forEach(::finish)
         if (finished.isNotEmpty()) {
             val last = finished.removeLast()
-            finished += Tuple2(last._1(), BandPart(last._2().runs, 0, BandPart.work(drawing.work())))
+            finished += Tuple2(last._1(), BandPart(last._2().runs, 0, PixelBlock.work(drawing.work())))
         }
         return finished.iterator()
     }
 
     private companion object {
-        const val serialVersionUID = 1L
-
         /** The part of the heap for the bands of all tasks. */
         const val PART = 0.2
         const val BYTES_PER_SAMPLE = 12L
@@ -111,23 +120,6 @@ internal class DrawPart(private val setUp: Broadcast<PictureSetUp>, private val 
             val share = Runtime.getRuntime().maxMemory() * PART / Runtime.getRuntime().availableProcessors()
             return (share / (BYTES_PER_SAMPLE * known.region(0).size)).toInt().coerceAtLeast(1)
         }
-    }
-}
-
-private class Same<V> : PairFunction<Tuple2<BandKey, V>, BandKey, V> {
-    override fun call(pair: Tuple2<BandKey, V>): Tuple2<BandKey, V> = pair
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
-
-private class Grouped : PairFunction<Tuple2<BandKey, BandPart>, BandKey, BandPart> {
-    override fun call(pair: Tuple2<BandKey, BandPart>): Tuple2<BandKey, BandPart> =
-        Tuple2(BandKey(pair._1().band, pair._1().group / SortLast.FAN_IN), pair._2())
-
-    private companion object {
-        const val serialVersionUID = 1L
     }
 }
 
@@ -141,63 +133,4 @@ private class ByBandAndGroup(private val groups: Int, private val tasks: Int) : 
         other is ByBandAndGroup && groups == other.groups && tasks == other.tasks
 
     override fun hashCode(): Int = 31 * groups + tasks
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
-
-private class OfBand : PairFunction<Tuple2<BandKey, BandPart>, Int, BandPart> {
-    override fun call(pair: Tuple2<BandKey, BandPart>): Tuple2<Int, BandPart> = Tuple2(pair._1().band, pair._2())
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
-
-private class MergeGroup(private val merge: MergeParts) :
-    PairFunction<Tuple2<BandKey, Iterable<BandPart>>, BandKey, BandPart> {
-    override fun call(parts: Tuple2<BandKey, Iterable<BandPart>>): Tuple2<BandKey, BandPart> =
-        Tuple2(parts._1(), merge.part(parts._1().band, parts._2()))
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
-
-private class FinishBand(private val merge: MergeParts) :
-    PairFunction<Tuple2<Int, Iterable<BandPart>>, Int, FinishedBand> {
-    override fun call(parts: Tuple2<Int, Iterable<BandPart>>): Tuple2<Int, FinishedBand> {
-        val merged = merge.merged(parts._1(), parts._2())
-        return Tuple2(parts._1(), FinishedBand.of(merged.samples, merged.moved, merged.work))
-    }
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
-
-/** Returns the indices of the triangles that a band shows. */
-private class VisibleInBand(private val merge: MergeParts) :
-    Function<Tuple2<Int, Iterable<BandPart>>, VisibleTriangles.OfBand> {
-    override fun call(parts: Tuple2<Int, Iterable<BandPart>>): VisibleTriangles.OfBand {
-        val merged = merge.merged(parts._1(), parts._2())
-        val cost = VisibleTriangles.Cost(merged.moved, merged.work)
-        return VisibleTriangles.OfBand(parts._1(), merged.samples.visible(), cost)
-    }
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
-}
-
-/** Returns the triangles of a partition that are visible, each for its bands. */
-private class SelectVisible(private val visible: Broadcast<VisibleTriangles>) :
-    PairFlatMapFunction<Iterator<Row>, Int, TriangleChunk> {
-    override fun call(rows: Iterator<Row>): Iterator<Tuple2<Int, TriangleChunk>> =
-        BandTriangles.sent(rows, visible.value()::byBand)
-
-    private companion object {
-        const val serialVersionUID = 1L
-    }
 }

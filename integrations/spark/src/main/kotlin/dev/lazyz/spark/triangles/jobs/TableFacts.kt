@@ -25,8 +25,6 @@ internal class PartFacts(val triangles: Long, val greatestIndex: Long, private v
     val box: Box? get() = sides?.let { Box(it[0], it[1], it[2], it[3], it[4], it[5]) }
 
     companion object {
-        private const val serialVersionUID = 1L
-
         fun of(triangles: Long, greatestIndex: Long, box: Box?): PartFacts {
             val sides = box?.let { doubleArrayOf(it.minX, it.minY, it.minZ, it.maxX, it.maxY, it.maxZ) }
             return PartFacts(triangles, greatestIndex, sides)
@@ -77,10 +75,6 @@ internal class TableExtent private constructor(
         override fun call(rows: Iterator<Row>): Iterator<DoubleArray> = TriangleChunk.chunks(rows)
             .mapNotNull { scene.scene(it.mesh()).farthest(Vector3d(x, y, z)) }
             .map { doubleArrayOf(it.x, it.y, it.z) }.iterator()
-
-        private companion object {
-            const val serialVersionUID = 1L
-        }
     }
 
     private class FactsOf(private val scene: TriangleScene) : FlatMapFunction<Iterator<Row>, PartFacts> {
@@ -95,10 +89,6 @@ internal class TableExtent private constructor(
                 box = box?.union(own) ?: own
             }
             return listOf(PartFacts.of(count, greatest, box)).iterator()
-        }
-
-        private companion object {
-            const val serialVersionUID = 1L
         }
     }
 

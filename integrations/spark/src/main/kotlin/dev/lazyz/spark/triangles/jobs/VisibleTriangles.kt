@@ -9,11 +9,7 @@ import java.io.Serializable
  */
 internal class VisibleTriangles(bands: List<OfBand>) : Serializable {
     /** The triangles of a band, and what it took to find them. */
-    class OfBand(val band: Int, val indices: IntArray, val cost: Cost) : Serializable {
-        private companion object {
-            private const val serialVersionUID = 1L
-        }
-    }
+    class OfBand(val band: Int, val indices: IntArray, val cost: Cost) : Serializable
 
     /**
      * What it took to find the triangles of a band.
@@ -21,11 +17,7 @@ internal class VisibleTriangles(bands: List<OfBand>) : Serializable {
      * @property moved bytes that have crossed from task to task
      * @property work counters, as [BandPart.work]
      */
-    class Cost(val moved: Long, val work: LongArray) : Serializable {
-        private companion object {
-            private const val serialVersionUID = 1L
-        }
-    }
+    class Cost(val moved: Long, val work: LongArray) : Serializable
 
     /** Index and band of each visible triangle, in ascending order. */
     private val places = LongArray(bands.sumOf { it.indices.size })
@@ -58,8 +50,6 @@ internal class VisibleTriangles(bands: List<OfBand>) : Serializable {
     }
 
     private companion object {
-        private const val serialVersionUID = 1L
-
         fun place(index: Int, band: Int): Long = index.toLong() shl Int.SIZE_BITS or band.toLong()
     }
 }
