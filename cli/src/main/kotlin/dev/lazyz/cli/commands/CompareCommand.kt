@@ -1,7 +1,6 @@
 package dev.lazyz.cli.commands
 
 import com.github.ajalt.clikt.core.Context
-import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
@@ -63,8 +62,7 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
 
     override fun run() {
         val blanks = outcome.applyTo(streams)
-        val code = blanks.code(StrategyPath.with(own.classPath) { compare(blanks) })
-        if (code != ExitCode.DONE) throw ProgramResult(code)
+        end(blanks.code(StrategyPath.with(own.classPath) { compare(blanks) }))
     }
 
     private fun compare(blanks: BlankPictures): Int {

@@ -1,7 +1,6 @@
 package dev.lazyz.cli.commands
 
 import com.github.ajalt.clikt.core.Context
-import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
@@ -154,7 +153,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
             else -> supervise()
         }
-        if (code != ExitCode.DONE) throw ProgramResult(code)
+        end(code)
     }
 
     /** Returns the options that were given of those that have an effect only if rules are run. */

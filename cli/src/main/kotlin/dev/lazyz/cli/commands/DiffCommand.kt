@@ -1,7 +1,6 @@
 package dev.lazyz.cli.commands
 
 import com.github.ajalt.clikt.core.Context
-import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.flag
@@ -64,7 +63,8 @@ internal class DiffCommand(private val streams: Streams) :
             val (model, other) = if (isOldModel) old to new else new to old
             throw Mistake("$model is a model and $other is none by its name: compare two models, or two pictures")
         }
-        if (!(if (isOldModel) areEqualModels() else areEqualPictures())) throw ProgramResult(ExitCode.DIFFERENT)
+        val areEqual = if (isOldModel) areEqualModels() else areEqualPictures()
+        end(if (areEqual) ExitCode.DONE else ExitCode.DIFFERENT)
     }
 
     private fun isModel(word: String): Boolean =

@@ -2,7 +2,6 @@ package dev.lazyz.cli.commands
 
 import com.github.ajalt.clikt.completion.CompletionCandidates
 import com.github.ajalt.clikt.core.Context
-import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
@@ -151,7 +150,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
                 BatchJob(several(named, blanks), streams).run()
             }
         }
-        if (code != ExitCode.DONE) throw ProgramResult(code)
+        end(code)
     }
 
     /** Checks that no option is about another kind of file. */
@@ -327,7 +326,4 @@ private class RenderingOptions : OptionGroup("Rendering") {
             "front), count (their number, as a colour) or blend; default: nearest, or blend if the scene is " +
             "translucent",
     ).selector()
-
-    /** Whether pixels can show other surfaces than the nearest. */
-    val isSelecting: Boolean get() = selector != null && selector != Selector.nearest()
 }

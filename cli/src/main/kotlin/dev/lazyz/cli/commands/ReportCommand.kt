@@ -1,7 +1,6 @@
 package dev.lazyz.cli.commands
 
 import com.github.ajalt.clikt.core.Context
-import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.default
@@ -58,8 +57,7 @@ internal class ReportCommand(private val streams: Streams, private val args: Lis
             }
         }
         for (bug in report.bugs) streams.messages.println(Failure.bugReport(bug, args.toTypedArray()))
-        val code = blanks.code(if (report.isGood) ExitCode.DONE else ExitCode.DIFFERENT)
-        if (code != ExitCode.DONE) throw ProgramResult(code)
+        end(blanks.code(if (report.isGood) ExitCode.DONE else ExitCode.DIFFERENT))
     }
 }
 

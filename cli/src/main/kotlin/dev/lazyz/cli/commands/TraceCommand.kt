@@ -1,7 +1,6 @@
 package dev.lazyz.cli.commands
 
 import com.github.ajalt.clikt.core.Context
-import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.convert
@@ -58,8 +57,7 @@ internal class TraceCommand(private val streams: Streams) :
         StrategyPath.with(own.classPath) {
             TimeLimit.OF_PROCESS.hold(subject.timeLimit, input) { TraceJob(request, streams).run() }
         }
-        val code = blanks.code(ExitCode.DONE)
-        if (code != ExitCode.DONE) throw ProgramResult(code)
+        end(blanks.code(ExitCode.DONE))
     }
 }
 

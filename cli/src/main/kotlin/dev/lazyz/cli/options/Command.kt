@@ -1,10 +1,12 @@
 package dev.lazyz.cli.options
 
 import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.pictures.ParameterGroup
 import dev.lazyz.scenes.pictures.PictureParameters
@@ -20,6 +22,11 @@ internal abstract class Command(name: String) : CoreCliktCommand(name) {
             helpFormatter = { HelpText }
             suggestTypoCorrection = { word, names -> listOfNotNull(EditDistance.nearest(word, names)) }
         }
+    }
+
+    /** Ends the program with [code], unless all is well. */
+    protected fun end(code: Int) {
+        if (code != ExitCode.DONE) throw ProgramResult(code)
     }
 }
 

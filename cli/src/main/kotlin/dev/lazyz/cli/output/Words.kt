@@ -1,5 +1,8 @@
 package dev.lazyz.cli.output
 
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonPrimitive
+
 /**
  * Returns [number] with separators, and what it counts: [one] if the number is 1, otherwise [several]. `1 picture`,
  * `1,200 pictures`.
@@ -40,5 +43,25 @@ internal object Bytes {
         val shift = 10 * power
         val number = digits.toLongOrNull() ?: Long.MAX_VALUE
         return if (number > Long.MAX_VALUE shr shift) Long.MAX_VALUE else number shl shift
+    }
+}
+
+/** Formats JSON (RFC 8259) as one line of ASCII. */
+internal object Json {
+    /**
+     * Returns [element] as text. Characters outside ASCII can only be in its strings; they are escaped, so that the
+     * encoding of standard error does not matter, and file names that are not legal Unicode remain distinct.
+     */
+    fun of(element: JsonElement): String = buildString {
+        for (character in element.toString()) {
+            if (character in ' '..'~') append(character) else append("\\u%04x".format(null, character.code))
+        }
+    }
+
+    /** Returns [value], which is a number, a boolean or a text, as JSON. */
+    fun primitive(value: Any): JsonPrimitive = when (value) {
+        is Number -> JsonPrimitive(value)
+        is Boolean -> JsonPrimitive(value)
+        else -> JsonPrimitive(value as String)
     }
 }

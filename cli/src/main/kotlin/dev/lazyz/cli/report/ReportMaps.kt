@@ -87,7 +87,7 @@ internal class ReportMaps(private val report: Report, private val pictures: Pict
             val marked = PictureDifference.between(Picture.of(reference), Picture.of(portrait.image)).toImage()
             figure(marked, "Pixels of ${entry.id} that differ, yellow to red", "difference")
         }
-        val calls = Measure.SHADING_CALLS.text(report, entry)
+        val calls = ReportMeasure.SHADING_CALLS.text(report, entry)
         val most = portrait.calls.ints.max()
         figure(
             AovPicture.ofCounts(portrait.calls, mostCalls),

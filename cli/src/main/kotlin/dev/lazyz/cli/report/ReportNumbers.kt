@@ -10,17 +10,17 @@ internal class ReportNumbers(private val report: Report) {
         appendLine("<p>Shorter bars are less work. Each chart has a scale of its own, which begins at 0; ")
         appendLine("""<a href="#numbers">the table</a> has the same numbers.</p>""")
         appendLine("""<div class="grid">""")
-        for (measure in Measure.entries.filter { it.isCharted }) {
+        for (measure in ReportMeasure.entries.filter { it.isCharted }) {
             val values = report.entries.mapNotNull { measure.value(report, it)?.toDouble() }
             if (values.any { it > 0 }) chart(measure)
         }
         appendLine("</div>")
     }
 
-    private fun StringBuilder.chart(measure: Measure) {
-        val hasParts = measure == Measure.SHADING_CALLS
+    private fun StringBuilder.chart(measure: ReportMeasure) {
+        val hasParts = measure == ReportMeasure.SHADING_CALLS
         val bars = report.entries.map { entry ->
-            val part = if (hasParts) Measure.DISCARDED.value(report, entry)?.toDouble() ?: 0.0 else 0.0
+            val part = if (hasParts) ReportMeasure.DISCARDED.value(report, entry)?.toDouble() ?: 0.0 else 0.0
             val value = measure.value(report, entry)?.toDouble()
             BarChart.Bar(entry.id, value, measure.text(report, entry), part)
         }
@@ -42,22 +42,24 @@ internal class ReportNumbers(private val report: Report) {
         appendLine("<table>")
         appendLine("<caption>Numbers of each strategy. The terms are explained below.</caption>")
         appendLine("""<thead><tr><th scope="col">Strategy</th><th scope="col">Picture</th>""")
-        for (measure in Measure.entries) append("""<th scope="col">${measure.title}</th>""")
+        for (measure in ReportMeasure.entries) append("""<th scope="col">${measure.title}</th>""")
         appendLine("</tr></thead>")
         appendLine("<tbody>")
         for (entry in report.entries) row(entry)
         appendLine("</tbody></table></div>")
         appendLine("<dl>")
-        for (measure in Measure.entries) appendLine("<dt>${measure.title}</dt><dd>${escaped(measure.meaning)}</dd>")
+        for (measure in ReportMeasure.entries) {
+            appendLine("<dt>${measure.title}</dt><dd>${escaped(measure.meaning)}</dd>")
+        }
         appendLine("</dl>")
     }
 
     private fun StringBuilder.row(entry: ReportEntry) {
         append("""<tr><th scope="row">${escaped(entry.id)}</th><td>${badge(report, entry)}</td>""")
         if (entry.rendered == null) {
-            append("""<td class="words" colspan="${Measure.entries.size}">no numbers</td>""")
+            append("""<td class="words" colspan="${ReportMeasure.entries.size}">no numbers</td>""")
         } else {
-            for (measure in Measure.entries) append("<td>${escaped(measure.text(report, entry))}</td>")
+            for (measure in ReportMeasure.entries) append("<td>${escaped(measure.text(report, entry))}</td>")
         }
         appendLine("</tr>")
     }

@@ -89,7 +89,7 @@ class ReportTest {
         report("city").done()
         val page = page()
         val heads = page.rows.getValue("Strategy")
-        assertEquals(listOf("Picture") + Measure.entries.map { it.title }, heads)
+        assertEquals(listOf("Picture") + ReportMeasure.entries.map { it.title }, heads)
         val options = arrayOf("city", "--size", "40x30")
         for (id in listOf("zbuffer", "painter", "lazy")) {
             val row = heads.zip(page.rows.getValue(id)).toMap()

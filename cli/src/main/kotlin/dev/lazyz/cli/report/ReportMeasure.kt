@@ -10,7 +10,7 @@ import dev.lazyz.cli.output.StatisticsTable
  * @property key its name in the statistics, or null if it is computed here
  * @property isCharted whether there is a chart of it
  */
-internal enum class Measure(
+internal enum class ReportMeasure(
     val title: String,
     val meaning: String,
     private val key: String?,
