@@ -40,6 +40,7 @@ internal class ObjMeshes(
     private val normals = model.normals.toArray()
     private val cutting = FaceCutting(source, faces) { vertex, axis -> positions[3 * vertex + axis] }
     private val corners = Ints()
+    private val vertices = CornerVertices(positions.size / 3)
 
     fun build(): List<Mesh> = batchesByObject().flatMap { batches ->
         batches.flatMap(::meshes).sortedBy { it.firstFace }.map { it.mesh }
@@ -69,7 +70,7 @@ internal class ObjMeshes(
 
     private fun meshes(batch: Batch): List<Placed> {
         // Triangulate all faces, and record the group of each triangle
-        val vertices = CornerVertices(minOf(batch.faces.size, positions.size / 3))
+        vertices.begin()
         val groups = LinkedHashMap<Group, Int>()
         val firstFaces = ArrayList<Int>()
         val triangles = Ints()
@@ -89,7 +90,7 @@ internal class ObjMeshes(
                     groups.size
                 }
             }
-            addTriangles(face, vertices, triangles)
+            addTriangles(face, triangles)
             if (!faces.parts[lastPart].isSmooth) flat.set(groupOf.size, triangles.size / 3)
             while (3 * groupOf.size < triangles.size) groupOf.add(group)
         }
@@ -139,35 +140,71 @@ internal class ObjMeshes(
         }
     }
 
-    private fun addTriangles(face: Int, vertices: CornerVertices, triangles: Ints) {
+    private fun addTriangles(face: Int, triangles: Ints) {
         corners.clear()
         cutting.cut(face, corners)
-        for (i in 0 until corners.size) triangles.add(vertex(corners[i], vertices))
+        for (i in 0 until corners.size) triangles.add(vertex(corners[i]))
     }
 
-    private fun vertex(corner: Int, vertices: CornerVertices): Int =
+    private fun vertex(corner: Int): Int =
         vertices.vertex(faces.positions[corner], faces.textures[corner], faces.normals[corner])
 }
 
 /**
- * Merges equal corners of faces: corners with the same position, texture coordinate and normal become one vertex. Not
- * thread safe.
+ * Merges equal corners of the faces of a mesh: corners with the same position, texture coordinate and normal become one
+ * vertex. Serves one mesh after the other. Not thread safe.
  *
- * @param expected number of vertices to reserve memory for
+ * Most corners are equal to the first one at their position, so these are found without hashing.
+ *
+ * @param positionCount number of positions of all meshes
  */
-internal class CornerVertices(expected: Int) {
-    private val corners = DistinctTriples(expected)
+internal class CornerVertices(positionCount: Int) {
+    /** The position, texture coordinate and normal of each vertex. */
+    private val corners = Ints()
 
-    /** Number of vertices. */
-    val size: Int get() = corners.size
+    /** By position: the number of its first vertex plus 1, counted from the first mesh on; 0 if there is none. */
+    private val firstAt = IntArray(positionCount)
+
+    /** Vertices of all meshes before this one. */
+    private var before = 0
+
+    /** Corners that differ from the first one at their position, and their vertices. */
+    private var others = DistinctTriples()
+    private val otherVertices = Ints()
+
+    /** Number of vertices of this mesh. */
+    val size: Int get() = corners.size / 3
+
+    /** Begins a mesh, which shares no vertices with those before. */
+    fun begin() {
+        before += size
+        corners.clear()
+        otherVertices.clear()
+        others = DistinctTriples()
+    }
 
     /**
      * Returns the number of the vertex for a corner. Adds a vertex if there is none yet. -1 stands for a missing
      * texture coordinate or normal.
      */
-    fun vertex(position: Int, texture: Int, normal: Int): Int = corners.add(position, texture, normal)
+    fun vertex(position: Int, texture: Int, normal: Int): Int {
+        val first = firstAt[position] - 1 - before
+        if (first < 0) {
+            firstAt[position] = before + size + 1
+            return append(position, texture, normal)
+        }
+        if (corners[3 * first + 1] == texture && corners[3 * first + 2] == normal) return first
+        val other = others.add(position, texture, normal)
+        if (other == otherVertices.size) otherVertices.add(append(position, texture, normal))
+        return otherVertices[other]
+    }
 
-    fun position(vertex: Int): Int = corners.get(vertex, 0)
+    private fun append(position: Int, texture: Int, normal: Int): Int {
+        corners.add(position, texture, normal)
+        return size - 1
+    }
+
+    fun position(vertex: Int): Int = corners[3 * vertex]
 
     /** Returns x, y, z of each vertex, given those of all positions. */
     fun positions(from: FloatArray): FloatArray = gather(from, 0, 3)
@@ -181,7 +218,7 @@ internal class CornerVertices(expected: Int) {
     private fun gather(from: FloatArray, place: Int, width: Int): FloatArray {
         val result = FloatArray(width * size)
         for (vertex in 0 until size) {
-            val number = corners.get(vertex, place)
+            val number = corners[3 * vertex + place]
             if (number >= 0) from.copyInto(result, width * vertex, width * number, width * (number + 1))
         }
         return result

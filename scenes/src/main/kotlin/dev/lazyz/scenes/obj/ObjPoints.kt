@@ -59,18 +59,19 @@ internal class ObjPoints {
             val named = if (name == null) null else materialOf(name).takeIf { it.isDefined }
             return named?.material ?: PixelDefaults.material(false, model.colors.size > 0, name.orEmpty())
         }
+        val vertices = CornerVertices(positions.size / 3)
         return points.map { (label, numbers) ->
-            val vertices = IntArray(numbers.vertices.size) { numbers.vertices[it] }
+            val places = IntArray(numbers.vertices.size) { numbers.vertices[it] }
             Points(
-                FloatArray(3 * vertices.size) { positions[3 * vertices[it / 3] + it % 3] },
+                FloatArray(3 * places.size) { positions[3 * places[it / 3] + it % 3] },
                 PixelDefaults.POINT_SIZE,
                 material(label.material),
-                colors = model.colors(vertices.size) { vertices[it] },
+                colors = model.colors(places.size) { places[it] },
                 origin = model.origin,
                 name = label.name,
             )
         } + segments.map { (label, numbers) ->
-            val vertices = CornerVertices(numbers.vertices.size)
+            vertices.begin()
             val ends = IntArray(numbers.vertices.size) { vertices.vertex(numbers.vertices[it], -1, -1) }
             Lines(
                 vertices.positions(positions), ends, PixelDefaults.LINE_WIDTH, material(label.material),

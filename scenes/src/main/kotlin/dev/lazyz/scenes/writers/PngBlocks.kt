@@ -121,11 +121,7 @@ internal class PngBlock(
         val filter = PngFilter(width, channels)
         val size = 1 + width * channels
         val filtered = ByteArray(rows * size)
-        filter.load(argb, 0)
-        for (row in 0 until rows) {
-            filter.load(argb, (row + 1) * width)
-            filter.writeBest(filtered, row * size)
-        }
+        for (row in 0 until rows) filter.write(argb, (row + 1) * width, filtered, row * size)
         return filtered
     }
 

@@ -2,12 +2,11 @@ package dev.lazyz.scenes.writers
 
 /**
  * Converts rows of colours to filtered rows of bytes, and back. For each row it chooses the filter that is likely to
- * compress best.
+ * compress better.
  *
- * It tries three of the five filters and takes the one with the smallest sum of absolute differences, as the
- * specification recommends. The sum of the Paeth filter is multiplied by 1.5: its differences are small but less
- * regular, so they compress worse than their sum suggests. The other two filters were best for so few rows of
- * rendered images that they are not worth their time.
+ * It tries two of the five filters, the differences to the pixel on the left and to the one above, and takes the one
+ * with the smaller sum of absolute differences, as the specification recommends. With the Paeth filter as well, files
+ * of rendered images were larger: its differences are small but less regular.
  *
  * Source: PNG specification, sections 9 (filters) and 12.8 (filter selection).
  *
@@ -18,119 +17,91 @@ internal class PngFilter(private val width: Int, private val channels: Int) {
     /** Number of bytes of a row, without the filter type. */
     private val size = width * channels
 
-    // Each row is preceded by one pixel of zeros
-    private var current = ByteArray(channels + size)
-    private var above = ByteArray(channels + size)
-    private val candidates = Array(FILTERS.size) { ByteArray(size) }
+    /** Differences of the bytes of a row to those on the left, and to those above. */
+    private val sub = ByteArray(size)
+    private val up = ByteArray(size)
 
-    /** Loads the next row, which begins at [offset] of [argb]. The previous row becomes the row above. */
-    fun load(argb: IntArray, offset: Int) {
-        advance()
-        var i = channels
-        for (x in offset until offset + width) {
+    /**
+     * Writes the row that begins at [row] of [argb], after the row above it: the filter type, then the differences, to
+     * [output] from [at] on, where it has zeros.
+     */
+    fun write(argb: IntArray, row: Int, output: ByteArray, at: Int) {
+        // Most rows begin and end with the background. Its differences are zeros, except for those of the first pixel
+        var from = 1
+        var until = width
+        while (from < until && isRepeated(argb, row + from)) from++
+        while (until > from && isRepeated(argb, row + until - 1)) until--
+
+        val color = argb[row]
+        val above = argb[row - width]
+        var more = 0L
+        for (channel in 0 until channels) {
+            val byte = color shr SHIFTS[channel]
+            sub[channel] = byte.toByte()
+            up[channel] = (byte - (above shr SHIFTS[channel])).toByte()
+            more += StrictMath.abs(sub[channel].toInt()) - StrictMath.abs(up[channel].toInt())
+        }
+        val isUp = more + subtract(argb, row, from, until) > 0
+        output[at] = if (isUp) UP else SUB
+        val differences = if (isUp) up else sub
+        System.arraycopy(differences, 0, output, at + 1, channels)
+        val begin = from * channels
+        System.arraycopy(differences, begin, output, at + 1 + begin, until * channels - begin)
+    }
+
+    /** Whether the pixel at [i] has the colour of that on the left and of that above. */
+    private fun isRepeated(argb: IntArray, i: Int): Boolean = argb[i] == argb[i - 1] && argb[i] == argb[i - width]
+
+    /**
+     * Computes both kinds of differences of the pixels [from] until [until]. Returns by how much those to the left are
+     * greater.
+     */
+    private fun subtract(argb: IntArray, row: Int, from: Int, until: Int): Long {
+        var more = 0L
+        var i = from * channels
+        for (x in row + from until row + until) {
             val color = argb[x]
-            current[i++] = (color ushr 16).toByte()
-            current[i++] = (color ushr 8).toByte()
-            current[i++] = color.toByte()
-            if (channels == 4) current[i++] = (color ushr 24).toByte()
-        }
-    }
-
-    /** Writes the loaded row to [output] at [offset]: the filter type, then the differences. */
-    fun writeBest(output: ByteArray, offset: Int) {
-        var best = 0
-        var least = Long.MAX_VALUE
-        for (i in FILTERS.indices) {
-            val differences = candidates[i]
-            when (FILTERS[i]) {
-                SUB -> sub(differences)
-                UP -> up(differences)
-                else -> paeth(differences)
-            }
-            val sum = magnitude(differences) * (if (FILTERS[i] == PAETH) 3 else 2)
-            if (sum < least) {
-                least = sum
-                best = i
+            val left = argb[x - 1]
+            val above = argb[x - width]
+            for (channel in 0 until channels) {
+                val shift = SHIFTS[channel]
+                val toLeft = ((color shr shift) - (left shr shift)).toByte()
+                val toAbove = ((color shr shift) - (above shr shift)).toByte()
+                sub[i] = toLeft
+                up[i++] = toAbove
+                more += StrictMath.abs(toLeft.toInt()) - StrictMath.abs(toAbove.toInt())
             }
         }
-        output[offset] = FILTERS[best]
-        System.arraycopy(candidates[best], 0, output, offset + 1, size)
-    }
-
-    private fun sub(differences: ByteArray) {
-        for (i in 0 until size) differences[i] = (current[i + channels] - current[i]).toByte()
-    }
-
-    private fun up(differences: ByteArray) {
-        for (i in 0 until size) differences[i] = (current[i + channels] - above[i + channels]).toByte()
-    }
-
-    private fun paeth(differences: ByteArray) {
-        for (i in 0 until size) differences[i] = (current[i + channels] - nearest(i)).toByte()
-    }
-
-    /** Returns the neighbour of byte [i] (left, above, above left) that is closest to left + above - above left. */
-    private fun nearest(i: Int): Int {
-        val left = current[i].toInt() and 0xFF
-        val up = above[i + channels].toInt() and 0xFF
-        val corner = above[i].toInt() and 0xFF
-        val toLeft = StrictMath.abs(up - corner)
-        val toUp = StrictMath.abs(left - corner)
-        val toCorner = StrictMath.abs(left + up - 2 * corner)
-        return if (toLeft <= toUp && toLeft <= toCorner) {
-            left
-        } else if (toUp <= toCorner) {
-            up
-        } else {
-            corner
-        }
+        return more
     }
 
     /**
-     * Restores the next row from [filtered], as [writeBest] has written it, and unpacks it to [argb]. Returns false if
-     * this is not possible, because the type of the filter is another one.
+     * Restores the next row from [filtered], as [write] has written it, to [argb], which has the row above, or zeros.
+     * Returns false if this is not possible, because the type of the filter is another one.
      */
     fun restore(filtered: ByteArray, argb: IntArray): Boolean {
-        advance()
         val type = filtered[0]
-        if (type !in FILTERS) return false
-        for (i in 0 until size) {
-            val predicted = when (type) {
-                SUB -> current[i].toInt()
-                UP -> above[i + channels].toInt()
-                else -> nearest(i)
-            }
-            current[i + channels] = (filtered[i + 1] + predicted).toByte()
-        }
-        var i = channels
+        if (type != SUB && type != UP) return false
+        var i = 1
         for (x in 0 until width) {
-            val rgb = byteAt(i) shl 16 or (byteAt(i + 1) shl 8) or byteAt(i + 2)
-            argb[x] = rgb or ((if (channels == 4) byteAt(i + 3) else 0xFF) shl 24)
-            i += channels
+            val near = if (type == UP) argb[x] else if (x > 0) argb[x - 1] else 0
+            var color = if (channels == 4) 0 else OPAQUE
+            for (channel in 0 until channels) {
+                val shift = SHIFTS[channel]
+                color = color or (filtered[i++] + (near shr shift) and 0xFF shl shift)
+            }
+            argb[x] = color
         }
         return true
-    }
-
-    private fun byteAt(i: Int): Int = current[i].toInt() and 0xFF
-
-    /** The current row becomes the row above. */
-    private fun advance() {
-        val spare = above
-        above = current
-        current = spare
-    }
-
-    /** Sum of the absolute values of bytes, taken as signed. */
-    private fun magnitude(differences: ByteArray): Long {
-        var sum = 0L
-        for (difference in differences) sum += StrictMath.abs(difference.toInt())
-        return sum
     }
 
     private companion object {
         const val SUB: Byte = 1
         const val UP: Byte = 2
-        const val PAETH: Byte = 4
-        val FILTERS = byteArrayOf(SUB, UP, PAETH)
+
+        const val OPAQUE = 0xFF shl 24
+
+        /** The places of red, green, blue and alpha in a colour. */
+        val SHIFTS = intArrayOf(16, 8, 0, 24)
     }
 }

@@ -98,6 +98,7 @@ internal class TileReader(private val path: Path, private val width: Int, alpha:
     private val inflater = Inflater()
     private val filtered = ByteArray(1 + width * channels)
     private val filter = PngFilter(width, channels)
+    private val row = IntArray(width)
 
     /** The next byte of the file, and the number of bytes that the current chunk of data still has. */
     private var position = PngChunks.SIGNATURE.size.toLong()
@@ -119,7 +120,8 @@ internal class TileReader(private val path: Path, private val width: Int, alpha:
             }
             if (at < filtered.size && (inflater.finished() || inflater.needsDictionary())) throw damaged()
         }
-        if (!filter.restore(filtered, argb)) throw damaged()
+        if (!filter.restore(filtered, row)) throw damaged()
+        System.arraycopy(row, 0, argb, 0, width)
     }
 
     override fun close() = inflater.end()
