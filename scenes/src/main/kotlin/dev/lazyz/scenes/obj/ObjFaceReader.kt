@@ -51,7 +51,9 @@ internal class ObjFaceReader(
             if (at == end) return count
             source.step()
             if (3 * count == numbers.size) numbers = numbers.copyOf(2 * numbers.size)
-            numbers.fill(-1, 3 * count, 3 * count + 3)
+            numbers[3 * count] = -1
+            numbers[3 * count + 1] = -1
+            numbers[3 * count + 2] = -1
             var found = 0
             var place = 0
             while (true) {

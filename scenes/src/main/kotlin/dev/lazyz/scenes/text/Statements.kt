@@ -89,6 +89,7 @@ internal class Statements(private val window: ByteWindow) {
 
     /** Moves to the next word; the first is the keyword. Returns false at the end of the statement or at a comment. */
     fun nextWord(): Boolean {
+        val bytes = bytes
         val limit = contentEnd()
         var from = wordEnd
         while (from < limit && TextLines.isSpace(bytes[from])) from++
@@ -155,8 +156,11 @@ internal class Statements(private val window: ByteWindow) {
             val limit = position + minOf(size - position, TextLines.LONGEST)
             while (after < limit) {
                 val byte = text[after]
-                if (byte == LINE_FEED || byte == CARRIAGE_RETURN) break
-                if (byte == HASH) mayHaveComment = true
+                // Digits and letters are greater than all of these
+                if (byte <= HASH) {
+                    if (byte == LINE_FEED || byte == CARRIAGE_RETURN) break
+                    if (byte == HASH) mayHaveComment = true
+                }
                 after++
             }
 

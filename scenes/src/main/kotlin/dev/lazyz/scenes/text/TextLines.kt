@@ -73,7 +73,7 @@ internal class TextLines(private val window: ByteWindow, position: Int = 0, firs
             val bytes = bytes
             val size = size
             val limit = position + minOf(size - position, LONGEST)
-            while (end < limit && bytes[end] != LINE_FEED && bytes[end] != CARRIAGE_RETURN) end++
+            while (end < limit && !isLineEnd(bytes[end])) end++
             if (end - position >= LONGEST) tooLong(window.source, number + 1, LONGEST)
 
             // A carriage return at the end can be half of a line's end
@@ -96,6 +96,7 @@ internal class TextLines(private val window: ByteWindow, position: Int = 0, firs
 
     /** Moves to the next word of the line; returns false after the last word. */
     fun nextWord(): Boolean {
+        val bytes = bytes
         var start = wordEnd
         while (start < lineEnd && isSpace(bytes[start])) start++
         var end = start
@@ -182,7 +183,11 @@ internal class TextLines(private val window: ByteWindow, position: Int = 0, firs
         private const val CARRIAGE_RETURN = '\r'.code.toByte()
 
         /** Whether [byte] is white space within a line. */
-        fun isSpace(byte: Byte): Boolean = byte == SPACE || byte == TAB || byte == FORM_FEED
+        fun isSpace(byte: Byte): Boolean = byte <= SPACE && (byte == SPACE || byte == TAB || byte == FORM_FEED)
+
+        // Most bytes are greater than all of these, so that one comparison is enough
+        private fun isLineEnd(byte: Byte): Boolean =
+            byte <= CARRIAGE_RETURN && (byte == LINE_FEED || byte == CARRIAGE_RETURN)
 
         /** Returns [name] without a trailing comment. In a name, only a `#` after a space begins one. */
         fun uncommented(name: String): String = name.substringBefore(" #").trimEnd()
