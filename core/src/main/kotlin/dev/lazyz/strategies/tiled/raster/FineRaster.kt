@@ -4,11 +4,12 @@ import dev.lazyz.Counters
 import dev.lazyz.raster.ScreenGrid
 
 /**
- * Draws triangles into the keys of a tile, block by block. Belongs to one thread.
+ * Draws triangles into the keys of a tile. Belongs to one thread.
  *
- * A block is skipped if the triangle does not reach it, or if the triangle is behind everything visible in the block.
- * Otherwise a [kernel] compares all samples of the block at once. Both tests use the values at the block's corners,
- * because edge functions and depth are linear. Triangles of a few samples are drawn sample by sample.
+ * A large triangle is drawn block by block. A block is skipped if the triangle does not reach it, or if the triangle is
+ * behind everything visible in the block. Otherwise a [kernel] compares all samples of the block at once. Both tests
+ * use the values at the block's corners, because edge functions and depth are linear. A smaller one, most of whose
+ * blocks would be covered in part, is drawn row by row, and one of a few samples sample by sample.
  *
  * Source: Ned Greene, Michael Kass, Gavin Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993, for rejection;
  * Juan Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988, for blocks.
@@ -24,8 +25,12 @@ internal class FineRaster(
     private var top = 0
     private var bottom = 0
 
-    /** Whether the current triangle has so few samples in its bounds that drawing by blocks is slower. */
+    /** Whether the current triangle has so few samples in its bounds that drawing by rows is slower. */
     private var isSmall = false
+
+    /** Whether the current triangle's bounds are so small that drawing by blocks is slower. */
+    private var isNarrow = false
+    private val rows = TriangleRows()
 
     /** Begins the triangle with these vertices, in grid units. Returns whether its bounds have samples in the tile. */
     fun begin(ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int): Boolean {
@@ -36,6 +41,7 @@ internal class FineRaster(
             bottom = minOf(rowEnd, tile.rowEnd) - tile.rowStart
             isSmall = columnEnd - columnStart <= SmallCoverage.MOST &&
                 rowEnd - rowStart <= SmallCoverage.MOST && (columnEnd - columnStart) * (rowEnd - rowStart) <= SMALL
+            isNarrow = columnEnd - columnStart <= TriangleRows.MOST && rowEnd - rowStart <= TriangleRows.MOST
         }
         return left < right && top < bottom
     }
@@ -69,9 +75,50 @@ internal class FineRaster(
                 }
             }
         } else {
+            if (isNarrow && isHidden(forms)) return
             forms.edges(ax, ay, bx, by, cx, cy, tile.columnStart, tile.rowStart)
-            drawBlocks(forms)
+            if (isNarrow) drawRows(forms) else drawBlocks(forms)
         }
+    }
+
+    /** Whether the triangle is behind everything visible in all blocks that its bounds reach. */
+    private fun isHidden(forms: TriangleForms): Boolean {
+        val size = BlockKernel.BLOCK
+        for (row in top / size..(bottom - 1) / size) {
+            for (column in left / size..(right - 1) / size) {
+                if (forms.nearest < tile.farthestOfBlock[row * tile.blockColumns + column]) return false
+            }
+        }
+        return true
+    }
+
+    /** Draws a triangle row by row. Edges and depth must be set, with the tile's first sample as the origin. */
+    private fun drawRows(forms: TriangleForms) {
+        rows.begin(forms, left, right, top)
+        val keys = tile.keys
+        val rank = forms.rank
+        val zdx = forms.zdx
+        var covered = 0
+        var passes = 0
+        for (row in top until bottom) {
+            val start = rows.start
+            val end = rows.end
+            rows.next()
+            if (start >= end) continue
+            covered += end - start
+            var value = forms.z + forms.zdx * start + forms.zdy * row
+            for (at in row * tile.stride + start until row * tile.stride + end) {
+                val old = keys[at]
+                val key = (value and BlockKernel.DEPTH_BITS) or rank
+                keys[at] = minOf(key, old)
+                passes += ((key - old) ushr 63).toInt()
+                value += zdx
+            }
+        }
+        counters.fragments += covered
+        counters.depthEvaluations += covered
+        counters.depthPasses += passes
+        tile.compared(covered / ROWS_PER_UPDATE)
     }
 
     /** Draws the samples [coverage] of the square that starts at ([left], [top]) of the tile, see [SmallCoverage]. */
@@ -160,6 +207,9 @@ internal class FineRaster(
     private companion object {
         /** A triangle is drawn sample by sample if its bounds have at most this many samples. */
         const val SMALL = 16
+
+        /** Samples that are compared in rows are so many times as cheap as single ones. */
+        const val ROWS_PER_UPDATE = 4
 
         /** 2^58: depth that changes by less than this per sample changes by less than 2^62 in a block. */
         const val GENTLE = 1L shl 58
