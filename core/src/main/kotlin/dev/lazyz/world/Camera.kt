@@ -175,17 +175,10 @@ public class Camera private constructor(
      * @throws UnsupportedOperationException if the projection is [Projection.Screen]
      */
     internal fun withUpAxis(up: UpAxis): Camera {
-        val eye = up.toWorld(eye)
-        val target = up.toWorld(target)
-        val upward = up.toWorld(upward)
-        return when (projection) {
-            is Projection.Perspective ->
-                perspective(eye, target, upward, projection.verticalFieldOfView, near, far)
-
-            is Projection.Orthographic -> orthographic(eye, target, upward, projection.height, near, far)
-
-            Projection.Screen -> throw UnsupportedOperationException("a scene given on the screen cannot be rotated")
+        if (projection == Projection.Screen) {
+            throw UnsupportedOperationException("a scene given on the screen cannot be rotated")
         }
+        return Camera(up.toWorld(eye), up.toWorld(target), up.toWorld(upward), projection, near, far)
     }
 
     /**

@@ -38,7 +38,7 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
         // Report mistakes in the options before anything is read
         val threads = request.choices.options().threads
         StrategyChoice(request.strategy, request.choices.sharing(threads))
-        request.inputs.firstOrNull()?.let { request.subject(it) }
+        request.inputs.firstOrNull()?.let { request.shown(it) }
         val sheet = if (plan.kind == Kind.SHEET) sheet() else null
         val total = Runtime.getRuntime().maxMemory().let { it - it / FREE_PART }
         val left = total - if (sheet == null) 0 else bytes(sheet)
@@ -119,7 +119,7 @@ internal class BatchJob(private val request: BatchRequest, private val streams: 
     }
 
     private fun sheet(): ContactSheet {
-        val settings = request.subject(request.inputs[0]).settings
+        val settings = request.shown(request.inputs[0]).settings
         val size = settings[PictureParameters.REGION]?.let { ImageSize(it.width, it.height) } ?: settings.size
         if (size.width.toLong() * size.height > MOST_PIXELS) {
             throw Mistake(

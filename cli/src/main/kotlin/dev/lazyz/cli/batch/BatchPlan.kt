@@ -1,7 +1,7 @@
 package dev.lazyz.cli.batch
 
 import dev.lazyz.cli.input.Input
-import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.ShownInput
 import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
@@ -78,7 +78,7 @@ internal class BatchPlan(private val request: BatchRequest) {
         }
         files.forEach { check(it) }
         replaced = OutputPlaces(files.flatMap { PictureFile.places(it) }.map { "-o" to it })
-        request.inputs.forEach { request.subject(it).requireKept(replaced) }
+        request.inputs.forEach { request.shown(it).requireKept(replaced) }
     }
 
     /** Whether the animations are GIF files, which are in memory until they are complete. */
@@ -176,7 +176,7 @@ internal class BatchPlan(private val request: BatchRequest) {
                     val other = users.put(file.toAbsolutePath().normalize(), user)
                     if (other != null) {
                         // A misspelt option is an input, too: report that first
-                        for (word in request.inputs) Input(word, request.subject(word).format).requireNamed()
+                        for (word in request.inputs) Input(word, request.shown(word).format).requireNamed()
                         throw Mistake(clash(file, other, user))
                     }
                 }
@@ -262,7 +262,7 @@ internal class InputLabels(private val inputs: List<String>) {
  * The options of `zcli render` for several pictures; null if the user did not give the option.
  *
  * @property inputs the inputs, with folders replaced by their files
- * @property subject returns what to show of the input with the given name
+ * @property shown returns what to show of the input with the given name
  * @property views the sides of `--views`; empty for the side that the other options choose
  * @property viewName the name of that side
  * @property output the value of `-o`
@@ -272,7 +272,7 @@ internal class InputLabels(private val inputs: List<String>) {
  */
 internal class BatchRequest(
     val inputs: List<String>,
-    val subject: (String) -> Subject,
+    val shown: (String) -> ShownInput,
     val views: List<View>,
     val viewName: String,
     val output: String?,

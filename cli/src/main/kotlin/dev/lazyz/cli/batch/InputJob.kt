@@ -2,7 +2,7 @@ package dev.lazyz.cli.batch
 
 import dev.lazyz.Renderer
 import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.ShownInput
 import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
@@ -34,14 +34,14 @@ internal class InputJob(
     private val shares: Shares,
     private val streams: Streams,
 ) {
-    private val subject: Subject = request.subject(input.input)
+    private val shown: ShownInput = request.shown(input.input)
     private var counted = 0
 
     /** Renders the pictures, and reports what happened. Failures are reported, not thrown. */
     fun run(): InputReport {
         try {
             val usual = StrategyChoice(request.strategy, request.choices.sharing(1)).usual
-            val memory = InputMemory(subject, usual, plan, shares.memory.total)
+            val memory = InputMemory(shown, usual, plan, shares.memory.total)
             for (step in memory.steps()) {
                 val report = shares.memory.hold(step.bytes) {
                     shares.threads.forInput { attempt(memory, step) }
@@ -62,8 +62,8 @@ internal class InputJob(
         val files = ArrayList<Path>()
         var failure: Throwable? = null
         try {
-            val source = FrameSource(subject, own, step.loading)
-            TimeLimit.OF_INPUT.hold(subject.timeLimit, source.input.name) {
+            val source = FrameSource(shown, own, step.loading)
+            TimeLimit.OF_INPUT.hold(shown.timeLimit, source.input.name) {
                 val loaded = source.load()
                 source.requireKept(loaded, plan.replaced)
                 val pictures = InputPictures(request, plan, shares, source, loaded, own, ::count) { strategy, shot ->
@@ -129,28 +129,28 @@ internal class MemoryStep(val bytes: Long, val loading: LoadOptions, val isReduc
  * @param usual the strategy that most scenes are rendered with
  */
 internal class InputMemory(
-    private val subject: Subject,
+    private val shown: ShownInput,
     usual: Renderer,
     private val plan: BatchPlan,
     private val total: Long,
 ) {
     /** The size of the file; 0 for a built-in scene or a missing file, null if it is not known. */
     private val file: Long? =
-        if (subject.input == "-") null else Path.of(subject.input).let { if (Files.exists(it)) Files.size(it) else 0 }
+        if (shown.input == "-") null else Path.of(shown.input).let { if (Files.exists(it)) Files.size(it) else 0 }
 
     /** Memory for a picture of the usual size. */
     private val guess: Long = run {
-        val size = subject.settings.size
-        val pixels = subject.settings[PictureParameters.REGION]?.size ?: (size.width.toLong() * size.height)
-        val side = subject.settings.factor
+        val size = shown.settings.size
+        val pixels = shown.settings[PictureParameters.REGION]?.size ?: (size.width.toLong() * size.height)
+        val side = shown.settings.factor
         bytes(usual, pixels * side * side, pixels)
     }
 
     /** Returns the attempts, from the least memory to the [total]. */
     fun steps(): List<MemoryStep> {
-        val last = MemoryStep(total, subject.loading, isReduced = false, isLast = true)
+        val last = MemoryStep(total, shown.loading, isReduced = false, isLast = true)
         val size = file ?: return listOf(last)
-        val own = subject.loading
+        val own = shown.loading
         val most = own.limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(size)
         val little = minOf(FREE_BYTES + DECODED_PER_BYTE * size, most)
         val reduced = LoadOptions(own.limits.withDecodedBytes(little), own.animationTime, own.smoothNormals)

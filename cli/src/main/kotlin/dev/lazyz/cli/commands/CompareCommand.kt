@@ -14,7 +14,7 @@ import dev.lazyz.cli.compare.CompareSeveralJob
 import dev.lazyz.cli.compare.ComparisonTable
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.input.NamedInputs
-import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.ShownInput
 import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.options.Completions
 import dev.lazyz.cli.options.HelpText
@@ -73,14 +73,14 @@ internal class CompareCommand(private val streams: Streams, private val args: Li
         if (inputs.count { it == "-" } > 1) throw Mistake("standard input can be only one of the inputs")
         val named = NamedInputs(inputs, settings[PictureParameters.FORMAT])
         if (named.isSingle && views.size < 2) {
-            val subject = subject(inputs.single())
-            return TimeLimit.OF_PROCESS.hold(subject.timeLimit, subject.input) { compareOne(request, subject) }
+            val shown = shown(inputs.single())
+            return TimeLimit.OF_PROCESS.hold(shown.timeLimit, shown.input) { compareOne(request, shown) }
         }
-        return CompareSeveralJob(request, streams, ::subject, args).run(named.all, own.isJson)
+        return CompareSeveralJob(request, streams, ::shown, args).run(named.all, own.isJson)
     }
 
-    private fun compareOne(request: CompareRequest, subject: Subject): Int {
-        val source = FrameSource(subject, streams)
+    private fun compareOne(request: CompareRequest, shown: ShownInput): Int {
+        val source = FrameSource(shown, streams)
         val job = CompareJob(request, streams)
         val comparison = job.compare(source, source.load(), request.views.singleOrNull())
         request.blanks.report(comparison.blank, streams)

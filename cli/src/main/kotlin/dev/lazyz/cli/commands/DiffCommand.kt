@@ -74,7 +74,7 @@ internal class DiffCommand(private val streams: Streams) :
         if (own.threshold != null) throw Mistake("--threshold is for pictures: models are compared exactly")
         if (old == "-" && new == "-") throw Mistake("standard input can be only one of the inputs")
         val blanks = outcome.applyTo(streams)
-        val (first, second) = subject(old) to subject(new)
+        val (first, second) = shown(old) to shown(new)
         val job = ModelDiffJob(first, second, own.output, own.diff, cost.choices(), blanks, streams)
         val isEqual = TimeLimit.OF_PROCESS.hold(first.timeLimit, "$old and $new") { job.run(own.isJson) }
         return isEqual && blanks.code(ExitCode.DONE) == ExitCode.DONE

@@ -13,7 +13,7 @@ import dev.lazyz.Selector
 import dev.lazyz.cli.batch.BatchJob
 import dev.lazyz.cli.batch.BatchRequest
 import dev.lazyz.cli.input.NamedInputs
-import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.ShownInput
 import dev.lazyz.cli.options.AovOptions
 import dev.lazyz.cli.options.CameraOptions
 import dev.lazyz.cli.options.Command
@@ -188,7 +188,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
     }
 
     private fun single(picture: String?, blanks: BlankPictures) = RenderRequest(
-        subject = subject(inputs.single(), null),
+        shown = shown(inputs.single(), null),
         output = picture,
         depthOutput = output.depth,
         aovs = aovs.outputs,
@@ -216,7 +216,7 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         if (series.turntable != null && placed != null) throw Mistake("--turntable cannot be combined with $placed")
         return BatchRequest(
             inputs = named.all.toList(),
-            subject = { subject(it, if (series.isSheet) CELL_SIZE else null) },
+            shown = { shown(it, if (series.isSheet) CELL_SIZE else null) },
             views = views,
             viewName = settings[VIEW]?.name?.lowercase() ?: "default",
             output = output.picture,
@@ -229,11 +229,11 @@ internal class RenderCommand(private val streams: Streams, private val args: Lis
         )
     }
 
-    private fun subject(input: String, usualSize: ImageSize?): Subject {
+    private fun shown(input: String, usualSize: ImageSize?): ShownInput {
         val all = limits.limits(streaming.spoolBytes)
         val bytes = memory.bytes
         val own = if (usualSize == null) settings else settings.withDefault(SIZE, usualSize)
-        return Subject(input, own, if (bytes == null) all else all.withMemory(bytes), limits.time, camera.isPrinted)
+        return ShownInput(input, own, if (bytes == null) all else all.withMemory(bytes), limits.time, camera.isPrinted)
     }
 
     private companion object {

@@ -48,12 +48,12 @@ internal class ReportCommand(private val streams: Streams, private val args: Lis
 
     override fun run() {
         val blanks = outcome.applyTo(streams)
-        val subject = subject(input)
+        val shown = shown(input)
         val compared = CompareRequest(own.strategies.distinct(), cost.choices(), own.repeat, emptyList(), blanks)
         val command = CommandLine.of(CommandLine.without(args, setOf("-o", "--output")) + listOf("-o", "report.html"))
         val report = StrategyPath.with(own.classPath) {
-            TimeLimit.OF_PROCESS.hold(subject.timeLimit, input) {
-                ReportJob(ReportRequest(subject, own.output, compared, command), streams).run()
+            TimeLimit.OF_PROCESS.hold(shown.timeLimit, input) {
+                ReportJob(ReportRequest(shown, own.output, compared, command), streams).run()
             }
         }
         for (bug in report.bugs) streams.messages.println(Failure.bugReport(bug, args.toTypedArray()))

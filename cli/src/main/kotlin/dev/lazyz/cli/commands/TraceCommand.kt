@@ -51,11 +51,11 @@ internal class TraceCommand(private val streams: Streams) :
         if ("--threads" in choices.needs) {
             throw Mistake("--threads cannot be used here: the order of shading calls is that of one thread")
         }
-        val subject = subject(input)
+        val shown = shown(input)
         val request =
-            TraceRequest(subject, own.output, own.strategies, choices, own.steps, own.framesPerSecond, blanks)
+            TraceRequest(shown, own.output, own.strategies, choices, own.steps, own.framesPerSecond, blanks)
         StrategyPath.with(own.classPath) {
-            TimeLimit.OF_PROCESS.hold(subject.timeLimit, input) { TraceJob(request, streams).run() }
+            TimeLimit.OF_PROCESS.hold(shown.timeLimit, input) { TraceJob(request, streams).run() }
         }
         end(blanks.code(ExitCode.DONE))
     }

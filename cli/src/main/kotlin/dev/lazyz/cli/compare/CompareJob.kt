@@ -123,7 +123,7 @@ internal class CompareJob(
  * The options of `zcli compare`.
  *
  * @property strategies ids; if empty, all strategies
- * @property views the sides to look from, one after the other; if empty, the camera of the subject
+ * @property views the sides to look from, one after the other; if empty, the camera of the input
  * @property blanks what happens if a picture is blank
  */
 internal class CompareRequest(

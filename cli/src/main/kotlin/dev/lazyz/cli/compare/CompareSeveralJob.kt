@@ -1,7 +1,7 @@
 package dev.lazyz.cli.compare
 
 import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.ShownInput
 import dev.lazyz.cli.input.TimeLimit
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.output.Failure
@@ -33,13 +33,13 @@ internal enum class Verdict(val word: String) {
  * One run of `zcli compare` over several inputs or views. Prints a line for each input as soon as it is done, then a
  * summary; or JSON lines. Only one input is in memory at a time. An input that fails does not stop the run.
  *
- * @param subject returns what to show of the input with the given name
+ * @param shown returns what to show of the input with the given name
  * @param args the words of the command line, for bug reports
  */
 internal class CompareSeveralJob(
     private val request: CompareRequest,
     private val streams: Streams,
-    private val subject: (String) -> Subject,
+    private val shown: (String) -> ShownInput,
     private val args: List<String>,
 ) {
     private val job = CompareJob(request, streams)
@@ -67,8 +67,8 @@ internal class CompareSeveralJob(
     private fun compare(input: String, isJson: Boolean): CompareLine {
         val line = CompareLine(input)
         try {
-            val subject = subject(input)
-            TimeLimit.OF_INPUT.hold(subject.timeLimit, input) { compare(subject, line, isJson) }
+            val shown = shown(input)
+            TimeLimit.OF_INPUT.hold(shown.timeLimit, input) { compare(shown, line, isJson) }
         } catch (closed: OutputClosed) {
             throw closed
         } catch (failure: Throwable) {
@@ -83,8 +83,8 @@ internal class CompareSeveralJob(
         return line
     }
 
-    private fun compare(subject: Subject, line: CompareLine, isJson: Boolean) {
-        val source = FrameSource(subject, streams)
+    private fun compare(shown: ShownInput, line: CompareLine, isJson: Boolean) {
+        val source = FrameSource(shown, streams)
         val loaded = source.read()
         for (view in request.views.ifEmpty { listOf(null) }) {
             val comparison = job.compare(source, loaded, view)

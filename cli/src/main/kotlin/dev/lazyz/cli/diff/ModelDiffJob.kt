@@ -3,7 +3,7 @@ package dev.lazyz.cli.diff
 import dev.lazyz.Image
 import dev.lazyz.Renderer
 import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.ShownInput
 import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.Mistake
@@ -30,8 +30,8 @@ import java.nio.file.Path
  * @param marked where to write the picture of the changes, or null
  */
 internal class ModelDiffJob(
-    private val old: Subject,
-    private val new: Subject,
+    private val old: ShownInput,
+    private val new: ShownInput,
     private val output: Path?,
     private val marked: Path?,
     private val choices: Choices,
@@ -47,7 +47,7 @@ internal class ModelDiffJob(
         OutputFile.requireDistinct(files)
         val replaced = OutputPlaces(files)
         val renderer = renderer()
-        for (subject in listOf(old, new)) subject.requireKept(replaced)
+        for (shown in listOf(old, new)) shown.requireKept(replaced)
         val sources = listOf(old, new).map { FrameSource(it, streams) }
         val (was, now) = sources.map { source -> source.load().also { source.requireKept(it, replaced) } }
         val (before, after) = sources.zip(listOf("before", "after")) { source, name -> source.observer(name) }

@@ -28,26 +28,26 @@ import java.time.Duration
 import org.joml.Vector3dc
 
 /**
- * Reads the input that [subject] names, and creates the frame that the options describe.
+ * Reads the input that [shown] names, and creates the frame that the options describe.
  *
  * @param loading how to read it
  */
 internal class FrameSource(
-    private val subject: Subject,
+    private val shown: ShownInput,
     private val streams: Streams,
-    loading: LoadOptions = subject.loading,
+    loading: LoadOptions = shown.loading,
 ) {
-    val input = Input(subject.input, subject.format, loading)
+    val input = Input(shown.input, shown.format, loading)
 
     /** The files that the options name. */
-    val files: List<Path> get() = subject.files
+    val files: List<Path> get() = shown.files
 
     /** Reads the input, and prints its warnings. */
     fun load(): LoadedScene = read().also { warn(it.warnings) }
 
     /** Opens the input to be read part by part, with temporary files in [spool], and prints its warnings. */
     fun stream(spool: Path): StreamedScene {
-        if (subject.loading.animationTime != null) {
+        if (shown.loading.animationTime != null) {
             streams.warning("files that are read part by part have no animation, so the requested time has no effect")
         }
         streams.progress("looking through ${input.name} ...")
@@ -77,7 +77,7 @@ internal class FrameSource(
 
     /** Returns the settings of the picture, seen from [view] or, if that is null, from the side that they choose. */
     fun settings(view: View?): PictureSettings =
-        if (view == null) subject.settings else subject.settings.seenFrom(view)
+        if (view == null) shown.settings else shown.settings.seenFrom(view)
 
     /**
      * Returns the picture of [loaded], seen from [view] as [settings] says. It is set up by the threads of [options]. A
@@ -103,17 +103,17 @@ internal class FrameSource(
             it.group == ParameterGroup.CAMERA || it.group == ParameterGroup.LINES ||
                 it == PictureParameters.TEXTURE || it == PictureParameters.MATCAP
         }
-        val settings = others.fold(subject.settings) { all, other -> all.without(other) }
+        val settings = others.fold(shown.settings) { all, other -> all.without(other) }
         return settings.frame(LoadedScene(Scene(emptyList()), emptyList()), options)
     }
 
-    private inner class Messages(private val picture: String?) : PictureObserver(input.name, subject.loading.limits) {
+    private inner class Messages(private val picture: String?) : PictureObserver(input.name, shown.loading.limits) {
         private var progress: Progress? = null
 
         override fun warning(message: String) = streams.warning(message)
 
         override fun camera(camera: Camera, up: UpAxis) {
-            if (!subject.isCameraPrinted) return
+            if (!shown.isCameraPrinted) return
             val words = words(camera, up)
             streams.note((if (picture == null) words else "$picture: $words") + "\n")
         }
@@ -157,7 +157,7 @@ internal class FrameSource(
  * @property isCameraPrinted whether to print the camera of each picture
  * @throws NoPictureException if two options exclude each other
  */
-internal class Subject(
+internal class ShownInput(
     val input: String,
     val settings: PictureSettings,
     limits: LoadLimits,

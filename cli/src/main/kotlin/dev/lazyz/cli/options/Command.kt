@@ -5,7 +5,7 @@ import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
-import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.ShownInput
 import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.pictures.ParameterGroup
@@ -66,6 +66,6 @@ internal abstract class PictureCommand<G : OptionGroup>(
     }
 
     /** Returns what the options show of [input]. */
-    protected fun subject(input: String): Subject =
-        Subject(input, settings, limits.limits(null), limits.time, camera.isPrinted)
+    protected fun shown(input: String): ShownInput =
+        ShownInput(input, settings, limits.limits(null), limits.time, camera.isPrinted)
 }

@@ -79,7 +79,7 @@ internal class MemoryAdvice(private val request: RenderRequest, private val allo
         if (!canShrink) return ""
         val ways = listOfNotNull(
             "a smaller --size", "a --region",
-            "--aa 1".takeIf { request.subject.settings.run { factor > 1 && !hasOcclusion } },
+            "--aa 1".takeIf { request.shown.settings.run { factor > 1 && !hasOcclusion } },
             "a .ppm file".takeIf { request.output?.endsWith(".ppm") == false },
         )
         return " These need less: ${ways.dropLast(1).joinToString()} or ${ways.last()}."

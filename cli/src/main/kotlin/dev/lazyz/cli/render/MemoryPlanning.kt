@@ -55,7 +55,7 @@ internal class MemoryPlanning(
 
     /** Whether the picture is the same if the model is read part by part. */
     private val isSameInParts: Boolean
-        get() = format == SceneFormat.STL && request.subject.settings.hasFaceNormals && canStream
+        get() = format == SceneFormat.STL && request.shown.settings.hasFaceNormals && canStream
 
     /**
      * Returns how to read the model: null for as a whole, if it fits, or if its need is unknown; or part by part, if
@@ -76,7 +76,7 @@ internal class MemoryPlanning(
 
     /** The limits for reading the model as a whole. */
     val loading: LoadOptions
-        get() = with(request.subject.loading) {
+        get() = with(request.shown.loading) {
             LoadOptions(limits.withMemory(maxOf(memory, least)), animationTime, smoothNormals)
         }
 

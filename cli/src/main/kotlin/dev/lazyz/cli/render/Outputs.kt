@@ -56,7 +56,7 @@ internal class Outputs(private val request: RenderRequest, input: Input, private
         request.depthOutput?.let { OutputFile.check(it, "--depth-out", listOf(".pfm")) }
         request.reference?.diff?.let { OutputFile.check(it, "--diff", listOf(".png")) }
         OutputFile.requireDistinct(listOfNotNull(request.reference?.let { "--ref" to it.file }) + files)
-        request.subject.requireKept(replaced)
+        request.shown.requireKept(replaced)
         request.reference?.let { replaced.requireNone(listOf(it.file), "the file of --ref") }
         request.resumption?.requirePossible(picture, input.isStandardInput, wholePictures())
     }

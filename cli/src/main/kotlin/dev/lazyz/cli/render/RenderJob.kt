@@ -22,14 +22,14 @@ import kotlinx.serialization.json.JsonObject
 /** One run of `zcli render`: reads, sets up, chooses a strategy, renders to all sinks at once, compares, reports. */
 internal class RenderJob(private val request: RenderRequest, private val streams: Streams) {
     // These report mistakes in the options before anything is read
-    private val source = FrameSource(request.subject, streams)
+    private val source = FrameSource(request.shown, streams)
     private val choice = StrategyChoice(request.strategy, request.choices)
     private val outputs = Outputs(request, source.input, streams)
     private val reference = request.reference?.let { ReferenceCheck(it) }
     private val planning = request.memory?.let { MemoryPlanning(it, request, source, choice, ::others) }
 
     /** Returns the exit code. */
-    fun run(): Int = TimeLimit.OF_PROCESS.hold(request.subject.timeLimit, source.input.name) {
+    fun run(): Int = TimeLimit.OF_PROCESS.hold(request.shown.timeLimit, source.input.name) {
         runAnyway()
     }
 
@@ -54,7 +54,7 @@ internal class RenderJob(private val request: RenderRequest, private val streams
 
     private fun run(streaming: StreamRequest?): Int {
         if (streaming == null) {
-            val whole = if (planning == null) source else FrameSource(request.subject, streams, planning.loading)
+            val whole = if (planning == null) source else FrameSource(request.shown, streams, planning.loading)
             return run(prepared(isWhole = true) { whole.load() }, null)
         }
         return prepared(isWhole = false) { source.stream(streaming.spool) }.use { run(it.loaded, streaming) }

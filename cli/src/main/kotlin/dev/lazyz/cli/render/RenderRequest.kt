@@ -1,7 +1,7 @@
 package dev.lazyz.cli.render
 
 import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.ShownInput
 import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.CommandLine
 import dev.lazyz.cli.output.Failure
@@ -28,7 +28,7 @@ internal enum class StatsForm { TABLE, JSON }
  * @property streamingForMemory how the model is read part by part if [memory] requires it
  */
 internal class RenderRequest(
-    val subject: Subject,
+    val shown: ShownInput,
     val output: String?,
     val depthOutput: Path?,
     val aovs: AovOutputs,
@@ -58,10 +58,10 @@ internal class StreamRequest(spool: Path?) {
 
     /** Returns an option of [request] that needs the whole model, or null. */
     fun obstacle(request: RenderRequest): String? {
-        val subject = request.subject
-        return subject.settings.wholeModel
+        val shown = request.shown
+        return shown.settings.wholeModel
             ?: request.aovs.files.firstOrNull()?.first?.substringBefore(' ')
-            ?: "--max-decoded".takeIf { subject.loading.limits.decodedBytes != null }
+            ?: "--max-decoded".takeIf { shown.loading.limits.decodedBytes != null }
     }
 
     /**

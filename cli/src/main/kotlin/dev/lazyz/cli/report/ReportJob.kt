@@ -10,7 +10,7 @@ import dev.lazyz.cli.compare.CompareRequest
 import dev.lazyz.cli.compare.Comparison
 import dev.lazyz.cli.compare.Outcome
 import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.ShownInput
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.cli.output.OutputPlaces
 import dev.lazyz.cli.output.ReportPlace
@@ -31,9 +31,9 @@ internal class ReportJob(private val request: ReportRequest, private val streams
     fun run(): Report {
         // Report mistakes in the options before anything is read
         val page = ReportPlace(request.output, "-o").page
-        val source = FrameSource(request.subject, streams)
+        val source = FrameSource(request.shown, streams)
         val replaced = OutputPlaces(listOf("-o" to page))
-        request.subject.requireKept(replaced)
+        request.shown.requireKept(replaced)
         val job = CompareJob(request.compared, streams, kept = bytesPerPixel())
 
         val loaded = source.load()
@@ -118,7 +118,12 @@ internal class ReportJob(private val request: ReportRequest, private val streams
  * @property compared what is compared, without views
  * @property command the command line that makes the report, without the output
  */
-internal class ReportRequest(val subject: Subject, val output: Path, val compared: CompareRequest, val command: String,)
+internal class ReportRequest(
+    val shown: ShownInput,
+    val output: Path,
+    val compared: CompareRequest,
+    val command: String,
+)
 
 /**
  * What is seen of a rendering besides its cost.

@@ -3,7 +3,7 @@ package dev.lazyz.cli.trace
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.cli.input.FrameSource
-import dev.lazyz.cli.input.Subject
+import dev.lazyz.cli.input.ShownInput
 import dev.lazyz.cli.output.BlankPictures
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
@@ -30,9 +30,9 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
         }
         val choices = request.choices.sharing(1)
         val named = request.strategies.ifEmpty { listOf(null) }.map { StrategyChoice(it, choices) }
-        val source = FrameSource(request.subject, streams)
+        val source = FrameSource(request.shown, streams)
         val replaced = OutputPlaces(listOf("-o" to request.output))
-        request.subject.requireKept(replaced)
+        request.shown.requireKept(replaced)
 
         val loaded = source.load()
         source.requireKept(loaded, replaced)
@@ -96,7 +96,7 @@ internal class TraceJob(private val request: TraceRequest, private val streams: 
  * @property blanks what happens if the picture is blank
  */
 internal class TraceRequest(
-    val subject: Subject,
+    val shown: ShownInput,
     val output: Path,
     val strategies: List<String>,
     val choices: Choices,

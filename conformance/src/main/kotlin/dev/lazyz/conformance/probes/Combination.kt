@@ -41,17 +41,17 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
     val turns: Concurrency = listOf(Concurrency.ONE_BY_ONE, Concurrency.ONE_BY_ONE, Concurrency.AT_ONCE).chosen(4)
 
     /** The renderings, in order. */
-    val shots: List<Shot> = cases.mapIndexed { i, case -> Shot(case, OPTIONS + i * SHOT) }
+    val steps: List<Step> = cases.mapIndexed { i, case -> Step(case, OPTIONS + i * STEP) }
 
     private fun <T> List<T>.chosen(number: Int): T = this[choices[number] % size]
 
     /** One rendering: a frame and its settings. Its choices begin with number [first]. */
-    inner class Shot(private val case: FrameCase, private val first: Int) {
+    inner class Step(private val case: FrameCase, private val first: Int) {
         /** The query that throws in an extra rendering just before this one, or null for no such rendering. */
-        val accident: Question? = (List<Question?>(USUAL) { null } + Question.entries).chosen(first)
+        val failing: Question? = (List<Question?>(USUAL) { null } + Question.entries).chosen(first)
 
         /** Number of queries that are answered before one throws. */
-        val patience: Int = choices[first + 1]
+        val answers: Int = choices[first + 1]
 
         /** The selector's name, or null for none. */
         val selection: String? = (List<String?>(USUAL) { null } + Selection.all.keys).chosen(first + 2)
@@ -113,7 +113,7 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
         const val MOST_FRAMES: Int = 3
 
         private const val OPTIONS = 5
-        private const val SHOT = 10
+        private const val STEP = 10
 
         /** Number of default values per other value in a list of choices. */
         private const val USUAL = 8
@@ -126,7 +126,7 @@ internal class Combination(cases: List<FrameCase>, private val choices: List<Int
 
         companion object {
             const val MOST: Int = 99
-            const val COUNT: Int = OPTIONS + MOST_FRAMES * SHOT
+            const val COUNT: Int = OPTIONS + MOST_FRAMES * STEP
         }
     }
 

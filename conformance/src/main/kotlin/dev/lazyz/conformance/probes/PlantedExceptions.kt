@@ -43,17 +43,17 @@ internal enum class Planted(private val throwable: (String) -> Throwable) {
 internal enum class Question { SPANS, DEPTH, COLOUR, BOUNDS, TRANSLUCENCY }
 
 /**
- * A copy of [frame] whose primitives throw after they have answered a total of [patience] queries of one kind.
+ * A copy of [frame] whose primitives throw after they have answered a total of [answers] queries of one kind.
  *
  * @property planted the exception, always the same instance
  */
 internal class Trap(
     frame: Frame,
     private val question: Question,
-    patience: Int,
+    answers: Int,
     val planted: Throwable = Planted.EXCEPTION.make(),
 ) {
-    private val left = AtomicInteger(patience)
+    private val left = AtomicInteger(answers)
 
     /** The frame whose primitives throw. */
     val frame: Frame = Frame(frame.raster, frame.primitives.map { Trapped(it) }, frame.region)
@@ -115,10 +115,10 @@ internal fun answer(block: () -> Unit): Throwable? = try {
 
 /**
  * Fails unless [renderer], which supports selectors, passes on what a selector throws that is called more than
- * [patience] times.
+ * [answers] times.
  */
-internal fun failsWithItsSelector(renderer: Renderer, case: FrameCase, patience: Int, planted: Throwable) {
-    val left = AtomicInteger(patience)
+internal fun failsWithItsSelector(renderer: Renderer, case: FrameCase, answers: Int, planted: Throwable) {
+    val left = AtomicInteger(answers)
     val selector = Selector {
         if (left.decrementAndGet() < 0) throw planted
         Selector.nearest().select(it)

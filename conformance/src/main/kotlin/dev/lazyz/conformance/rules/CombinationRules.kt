@@ -32,33 +32,33 @@ public sealed interface CombinationRules : RulesForOne {
         val options = combination.options.supportedBy(renderer)
         val usual = renderer.configured(options)
         when (combination.turns) {
-            Concurrency.ONE_BY_ONE -> combination.shots.forEach { taken(renderer, usual, options, it) }
+            Concurrency.ONE_BY_ONE -> combination.steps.forEach { judge(renderer, usual, options, it) }
 
             Concurrency.AT_ONCE -> {
                 val capabilities = renderer.capabilities
-                val how = "$options, ${combination.shots.size} frames at once"
-                atOnce(combination.shots) {
+                val how = "$options, ${combination.steps.size} frames at once"
+                atOnce(combination.steps) {
                     Judgement(it.way(usual), it.caseFor(capabilities), how).equalsReference()
                 }
             }
         }
     }
 
-    /** Renders [shot] with [usual], which is configured with [options], or with a renderer that also has a selector. */
-    private fun taken(renderer: Renderer, usual: Renderer, options: RenderOptions, shot: Combination.Shot) {
-        val case = shot.caseFor(renderer.capabilities)
-        val selection = shot.selectionFor(renderer.capabilities)
+    /** Renders [step] with [usual], which is configured with [options], or with a renderer that also has a selector. */
+    private fun judge(renderer: Renderer, usual: Renderer, options: RenderOptions, step: Combination.Step) {
+        val case = step.caseFor(renderer.capabilities)
+        val selection = step.selectionFor(renderer.capabilities)
         if (selection != null) {
             val chosen = renderer.configured(options.withSelector(selection.selector))
-            Judgement(chosen, case, "$options, selector ${shot.selection}").equalsPicture(selection.of(case.frame))
+            Judgement(chosen, case, "$options, selector ${step.selection}").equalsPicture(selection.of(case.frame))
             return
         }
-        shot.accident?.let { failsAsPlanned(usual, case, Trap(case.frame, it, shot.patience)) }
-        val way = shot.way(usual)
+        step.failing?.let { failsAsPlanned(usual, case, Trap(case.frame, it, step.answers)) }
+        val way = step.way(usual)
         val judgement = try {
             Judgement(way, case, "$options").equalsReference().rowsInOrder()
         } catch (e: Violation) {
-            throw explained(e, shot.way(renderer().configured(options)), options, case)
+            throw explained(e, step.way(renderer().configured(options)), options, case)
         }
         counts(judgement, case, renderer.capabilities, options, isWhole = way === usual)
     }

@@ -49,14 +49,8 @@ internal object SceneReading {
 
     fun read(input: InputStream, format: SceneFormat, name: String, folder: Path?, options: LoadOptions): LoadedScene {
         val loading = Loading(options)
-        val source = try {
-            Source(bytes(input, 0, name, format, loading), name, folder, loading)
-        } catch (e: SceneFormatException) {
-            throw e
-        } catch (e: IOException) {
-            throw unreadable(name, e)
-        }
-        return parse(source, format)
+        val bytes = readable(name) { bytes(input, 0, name, format, loading) }
+        return parse(Source(bytes, name, folder, loading), format)
     }
 
     fun read(bytes: ByteArray, format: SceneFormat, name: String, options: LoadOptions): LoadedScene {
@@ -105,15 +99,20 @@ internal object SceneReading {
 
     private fun bytes(path: Path, name: String, format: SceneFormat?, loading: Loading): ByteArray {
         requireFile(path, name)
-        try {
+        return readable(name) {
             val size = Files.size(path)
             if (size > mostBytes(format, loading.limits)) throw tooLarge(name, size, format, loading.limits)
-            return Files.newInputStream(path).use { bytes(it, size.toInt(), name, format, loading) }
-        } catch (e: SceneFormatException) {
-            throw e
-        } catch (e: IOException) {
-            throw unreadable(name, e)
+            Files.newInputStream(path).use { bytes(it, size.toInt(), name, format, loading) }
         }
+    }
+
+    /** Returns what [read] returns. Whatever else stops it becomes an exception that names the file. */
+    private inline fun readable(name: String, read: () -> ByteArray): ByteArray = try {
+        read()
+    } catch (e: SceneFormatException) {
+        throw e
+    } catch (e: IOException) {
+        throw unreadable(name, e)
     }
 
     /** Fails unless [path] is a regular file. */
