@@ -3,7 +3,7 @@ package dev.lazyz.strategies.tiled.raster
 import dev.lazyz.raster.ScreenGrid
 
 /**
- * The samples that a triangle covers in one row after the other, found without a division per row: what is divided by an
+ * The samples that a triangle covers in one row after the other, without a division per row: what is divided by an
  * edge's step from column to column is kept as quotient and rest, which are stepped from row to row. All values are
  * exact. For triangles whose bounds have at most [MOST] samples along a side; reused for each triangle.
  *
