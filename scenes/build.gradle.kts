@@ -8,6 +8,7 @@ dependencies {
     api(project(":core"))
     implementation(libs.jackson.core)
     implementation(libs.drako)
+    implementation(libs.imageio.webp)
     implementation(libs.obj)
     implementation(libs.earcut4j)
     testImplementation(libs.jackson.databind)

@@ -4,6 +4,7 @@ module dev.lazyz.scenes {
     requires transitive java.desktop;
     requires java.xml;
     requires com.fasterxml.jackson.core;
+    requires com.twelvemonkeys.imageio.webp;
     // These have no descriptors; their names are those of the files
     requires drako;
     requires earcut4j;

@@ -196,7 +196,7 @@ public object Scenes {
         FormatSniffer.format(bytes, size)
 
     /**
-     * Reads an image file as a texture: PNG, JPEG, TGA, TIFF, BMP, GIF or WBMP. Texels are the sRGB codes of the file;
+     * Reads an image file as a texture: PNG, JPEG, WebP, TGA, TIFF, BMP, GIF or WBMP. Texels are the sRGB codes of the file;
      * colour profiles are ignored.
      *
      * @param limits limits on the number of texels and on memory

@@ -15,8 +15,8 @@ import javax.imageio.event.IIOReadProgressListener
 import javax.imageio.stream.MemoryCacheImageInputStream
 
 /**
- * Decodes image files with the readers of the JDK, PNG, JPEG, TIFF, BMP, GIF and WBMP, of several images the first; and
- * TGA. The readers see only the [NeededParts] of a file.
+ * Decodes image files with the readers of the JDK, PNG, JPEG, TIFF, BMP, GIF and WBMP, of several images the first;
+ * WebP; and TGA. The readers see only the [NeededParts] of a file.
  */
 internal object ImageDecoder {
     /** The maximum length of an array. */
@@ -69,18 +69,15 @@ internal object ImageDecoder {
         admit: (pixels: Long) -> Unit,
         look: () -> Unit,
         convert: (BufferedImage) -> T,
-    ): T? = MemoryCacheImageInputStream(ByteArrayInputStream(bytes)).use { stream ->
-        val readers = ImageIO.getImageReaders(stream)
-        if (!readers.hasNext()) {
+    ): T? {
+        val reader = if (WebPImage.isWebP(bytes)) WebPImage.reader(bytes, look) else readerOf(bytes)
+        if (reader == null) {
             return TgaImage.of(bytes)?.let {
                 admit(it.pixels)
                 convert(it.decode())
             }
         }
-        val reader = readers.next()
         try {
-            // Of the metadata of TIFF, only what is essential; readers of other formats leave out more than that
-            reader.setInput(stream, true, reader.originatingProvider?.formatNames.orEmpty().contains("tiff"))
             val pixels = reader.getWidth(0).toLong() * reader.getHeight(0)
             if (pixels > MAX_PIXELS || pixels > bytes.size * MAX_PIXELS_PER_BYTE) return null
             admit(pixels)
@@ -88,10 +85,20 @@ internal object ImageDecoder {
             reader.addIIOReadProgressListener(rows)
             val image = reader.read(0)
             rows.ended?.let { throw it }
-            convert(image)
+            return convert(image)
         } finally {
             reader.dispose()
         }
+    }
+
+    /** Returns a reader of the JDK for the file in [bytes], or null. */
+    private fun readerOf(bytes: ByteArray): ImageReader? {
+        val stream = MemoryCacheImageInputStream(ByteArrayInputStream(bytes))
+        val reader = ImageIO.getImageReaders(stream).asSequence().firstOrNull() ?: return null
+
+        // Of the metadata of TIFF, only what is essential; readers of other formats leave out more than that
+        reader.setInput(stream, true, reader.originatingProvider?.formatNames.orEmpty().contains("tiff"))
+        return reader
     }
 
     /** Looks after each row whether to go on. Readers in native code cannot be left by an exception. */
@@ -128,14 +135,15 @@ internal object ImageDecoder {
 }
 
 /**
- * Reads textures from image files: PNG, JPEG, TGA, and the other formats that the JDK reads (TIFF, BMP, GIF, WBMP).
+ * Reads textures from image files: PNG, JPEG, WebP, TGA, and the other formats that the JDK reads (TIFF, BMP, GIF,
+ * WBMP).
  *
  * Texels are the codes that the file stores, see [Texels]; colour profiles are ignored. The codes of a JPEG are those
  * that the JDK's decoder computes, which can differ between JDKs. Textures have the filter [MipFilter.ANISOTROPIC].
  */
 internal object TextureFiles {
     /** The text of a warning about an image that exists but cannot be decoded. */
-    const val NOT_DECODED: String = "cannot be decoded and is left out; save it as PNG or JPEG"
+    const val NOT_DECODED: String = "cannot be decoded and is left out; save it as PNG, JPEG or WebP"
 
     /**
      * Returns the image in [bytes], which [source] contains or refers to, as a texture called [name]; null if it

@@ -11,12 +11,13 @@ import java.nio.ByteOrder
  */
 internal object NeededParts {
     /**
-     * Returns the parts of the PNG, JPEG, GIF or BMP file in [bytes] that its first image needs, or null if the file is
+     * Returns the parts of the PNG, JPEG, WebP, GIF or BMP file in [bytes] that its first image needs, or null if the file is
      * damaged, or would have a decoder read another kind of file. Files of other kinds are returned as they are.
      */
     fun of(bytes: ByteArray): ByteArray? = when {
         NeededChunks.SIGNATURE.isAt(bytes, 0) -> NeededChunks.needed(bytes)
         JpegSegments.SIGNATURE.isAt(bytes, 0) -> JpegSegments.needed(bytes)
+        WebPImage.isWebP(bytes) -> WebPImage.needed(bytes)
         GifBlocks.SIGNATURE.isAt(bytes, 0) -> GifBlocks.needed(bytes)
         BmpHeader.SIGNATURE.isAt(bytes, 0) -> BmpHeader.needed(bytes)
         else -> bytes

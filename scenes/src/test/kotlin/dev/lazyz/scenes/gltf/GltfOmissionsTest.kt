@@ -58,16 +58,19 @@ class GltfOmissionsTest {
     @Test
     fun formatsThatAreNotDecodedAreNamedUnlessThereIsAnotherImage() {
         val textured = { index: Int -> """{"pbrMetallicRoughness":{"baseColorTexture":{"index":$index}}}""" }
-        for ((extension, format) in mapOf("KHR_texture_basisu" to "KTX2", "EXT_texture_webp" to "WebP")) {
+        for ((extension, format) in mapOf("KHR_texture_basisu" to "KTX2", "EXT_texture_avif" to "AVIF")) {
             val only = """{"extensions":{"$extension":{"source":0}}}"""
             val both = """{"source":0,"extensions":{"$extension":{"source":0}}}"""
             val images = ""","images":[{"bufferView":2}],"extensionsRequired":["$extension"]"""
             val materials = ""","materials":[${textured(0)},${textured(1)}]"""
             val sentence = "textures whose only image is of the extension $extension ($format) are left out; " +
-                "save them as PNG or JPEG"
+                "save them as PNG, JPEG or WebP"
             assertEquals(listOf("$sentence: 2"), warnings("""$materials,"textures":[$only,$only]$images"""))
             assertEquals(emptyList<String>(), warnings("""$materials,"textures":[$both,$both]$images"""))
         }
+        val webP = """{"extensions":{"EXT_texture_webp":{"source":0}}}"""
+        val rest = ""","images":[{"bufferView":2}],"extensionsRequired":["EXT_texture_webp"]"""
+        assertEquals(emptyList<String>(), warnings(""","materials":[${textured(0)},{}],"textures":[$webP]$rest"""))
     }
 
     @Test
@@ -75,7 +78,7 @@ class GltfOmissionsTest {
         val material = """{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}"""
         val rest = ""","materials":[$material,{}],"textures":[{"source":0}],"""
         assertEquals(
-            listOf("images[0] (oak) cannot be decoded and is left out; save it as PNG or JPEG"),
+            listOf("images[0] (oak) cannot be decoded and is left out; save it as PNG, JPEG or WebP"),
             warnings("""$rest"images":[{"bufferView":0,"name":"oak"}]"""),
         )
     }

@@ -109,6 +109,18 @@ class NeededPartsTest {
         }
     }
 
+    /** Also the size of the picture, which the header of the file may say differently. */
+    @Test
+    fun otherChunksOfAWebPAreLeftOut() {
+        val plain = checkNotNull(javaClass.getResource("lossy-alpha.webp")).readBytes()
+        assertArrayEquals(plain, NeededParts.of(plain))
+        val profile = "ICCP".toByteArray() + bytes(3, 0, 0, 0, 1, 2, 3, 0)
+        val more = plain.copyOf(30) + profile + plain.copyOfRange(30, plain.size)
+        val claimed = changed(more, 4 to more.size - 8, 20 to 0x3C, 24 to 0x00FFFFFF, 27 to 0x00FFFFFF)
+        claimed[30] = 'I'.code.toByte()
+        assertArrayEquals(plain, NeededParts.of(claimed))
+    }
+
     @Test
     fun damagedFilesOfEachKindGiveNoException() {
         val png = PngFile.of(2, 1, 8, PngFile.RGB, listOf(bytes(1, 2, 3, 4, 5, 6)), "tEXt" to bytes(65, 0, 66))

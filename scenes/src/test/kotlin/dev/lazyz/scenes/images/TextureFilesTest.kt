@@ -178,6 +178,60 @@ class TextureFilesTest {
         assertTrue("LoadLimits.texels" in error.message.orEmpty(), error.message)
     }
 
+    private fun webP(name: String) = checkNotNull(javaClass.getResource("$name.webp")).readBytes()
+
+    private fun assertNear(expected: List<Int>, texel: String) {
+        val code = texel.toLong(16).toInt()
+        val codes = listOf(code ushr 24, code shr 16 and 0xFF, code shr 8 and 0xFF, code and 0xFF)
+        assertTrue(codes.zip(expected).all { (a, b) -> Math.abs(a - b) <= 6 }, "$codes, expected $expected")
+    }
+
+    /** The pixels of the files are formulas of x and y. */
+    @Test
+    fun webPIsReadWithAndWithoutLoss() {
+        for ((at, texel) in texels(webP("lossless")).withIndex()) {
+            val (x, y) = at % 5 to at / 5
+            val alpha = if (x < 4) 255 else 40 + y * 60
+            assertEquals("%02X%02X%02X%02X".format(alpha, x * 60, y * 100, x * y * 37 % 256), texel)
+        }
+        assertNear(listOf(255, 122, 123, 131), texels(webP("lossy"))[8 * 24 + 12])
+        val withAlpha = texels(webP("lossy-alpha"))
+        for (x in listOf(0, 12, 23)) assertEquals("%02X".format(x * 11), withAlpha[8 * 24 + x].take(2))
+        assertNear(listOf(132, 121, 122, 130), withAlpha[8 * 24 + 12])
+        assertEquals("FFFF0000", texels(webP("animated"))[0], "the first picture of an animation")
+    }
+
+    @Test
+    fun damagedWebPGivesNoTextureAndNoException() {
+        for (file in listOf("lossless", "lossy", "lossy-alpha", "animated").map(::webP)) {
+            for (length in 0 until file.size - 1) TextureFiles.decode(source, file.copyOf(length), "test")
+            for (at in file.indices) {
+                for (change in listOf(0xFF, 1, 0x80)) {
+                    val damaged = file.copyOf().also { it[at] = (it[at].toInt() xor change).toByte() }
+                    val before = allocated()
+                    TextureFiles.decode(source, damaged, "test")
+                    assertTrue(allocated() - before < 50_000_000, "byte $at took ${allocated() - before} bytes")
+                }
+            }
+        }
+        val small = Source(ByteArray(0), "test", null, Loading(LoadOptions(LoadLimits(texels = 14))))
+        val error = assertThrows(SceneFormatException::class.java) {
+            TextureFiles.decode(small, webP("lossless"), "test")
+        }
+        assertTrue("LoadLimits.texels" in error.message.orEmpty(), error.message)
+    }
+
+    @Test
+    fun webPIsLeftWhenTheLoadingEnds() {
+        for (name in listOf("lossless", "lossy-alpha")) {
+            val ended = SceneFormatException("test", null, "ended", "again")
+            val caught = assertThrows(SceneFormatException::class.java) {
+                ImageDecoder.decode(webP(name), admit = {}, look = { throw ended }) { it }
+            }
+            assertEquals(ended, caught)
+        }
+    }
+
     @Test
     fun damageGivesNoTextureAndNoException() {
         val png = PngFile.of(5, 4, 8, PngFile.RGBA, List(4) { ByteArray(20) { 77 } })

@@ -31,7 +31,7 @@ internal class GltfTextures(private val document: GltfDocument) {
 
     private fun read(index: Int?, where: String): Texture? {
         val texture = document.element(document.json.textures, index, "textures", where)
-        val source = texture.source ?: return withoutImage(texture, checkNotNull(index))
+        val source = texture.source ?: webP(texture) ?: return withoutImage(texture, checkNotNull(index))
         val image = document.element(document.json.images, source, "images", "textures[$index].source")
         val decoded = images.getOrPut(image.bufferView ?: image.uri ?: image) { decode(image, source) } ?: return null
         if (texture.sampler == null) return decoded
@@ -44,6 +44,8 @@ internal class GltfTextures(private val document: GltfDocument) {
         )
     }
 
+    private fun webP(texture: TextureJson): Int? = (texture.extension(WEBP)?.get("source") as? Number)?.toInt()
+
     /**
      * Reports a texture without an image that can be decoded. An extension may give the only image, in an unsupported
      * format.
@@ -55,7 +57,7 @@ internal class GltfTextures(private val document: GltfDocument) {
             undecoded.add(index) ->
                 document.count(
                     "textures whose only image is of the extension $extension (${formats[extension]}) are left out; " +
-                        "save them as PNG or JPEG",
+                        "save them as PNG, JPEG or WebP",
                 )
         }
         return null
@@ -100,13 +102,15 @@ internal class GltfTextures(private val document: GltfDocument) {
     }
 
     companion object {
+        private const val WEBP = "EXT_texture_webp"
+
         /**
          * Extensions that refer to images in other formats, and the names of these formats. If a texture also has an
-         * image in a usual format, that one is used.
+         * image in a usual format, that one is used; if not, that of [WEBP].
          */
         val formats = mapOf(
             "KHR_texture_basisu" to "KTX2",
-            "EXT_texture_webp" to "WebP",
+            WEBP to "WebP",
             "EXT_texture_avif" to "AVIF",
             "MSFT_texture_dds" to "DDS",
         )
