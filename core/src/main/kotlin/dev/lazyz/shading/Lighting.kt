@@ -3,6 +3,7 @@ package dev.lazyz.shading
 import dev.lazyz.Rgba
 import dev.lazyz.shading.light.LightSources
 import dev.lazyz.shading.light.Viewer
+import dev.lazyz.shading.pbr.LobeLighting
 import dev.lazyz.shading.pbr.PhysicalLighting
 import dev.lazyz.shading.pbr.StudioView
 import dev.lazyz.world.Camera
@@ -27,13 +28,14 @@ internal class Lighting(light: SceneLight, camera: Camera) {
     /** The same for many fragments at a time. */
     val ofBatches: BatchLighting = BatchLighting(viewer, sources, visibility)
 
+    private val physicalSources = LightSources(light.physical)
+    private val studio = StudioView.of(light.environment, camera)
+
     /** The light of physically based materials. */
-    val physical: PhysicalLighting = PhysicalLighting(
-        viewer,
-        LightSources(light.physical),
-        StudioView.of(light.environment, camera),
-        visibility,
-    )
+    val physical: PhysicalLighting = PhysicalLighting(viewer, physicalSources, studio, visibility)
+
+    /** The light of those with lobes. */
+    val lobes: LobeLighting = LobeLighting(viewer, physicalSources, studio, visibility, physical)
 
     /** What becomes of colours at the end; null if they stay as they are. */
     val toneMapper: ToneMapper? = ToneMapper.of(light.toneMapping)

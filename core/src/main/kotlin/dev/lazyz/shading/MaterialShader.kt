@@ -35,19 +35,20 @@ internal class MaterialShader(
     /** The model of a physically based material; null for a classical one. */
     private val model = if (material.isPhysical) material.metallicRoughness else null
     private val modelMap = MapReader.of(model?.map)
+    private val lobes = if (isLit) LobeReader.of(material) else null
     private val toneMapper = lighting.toneMapper
 
     /** What the formula of light adds. With a map, emission is added later. */
     private val emission: Rgba get() = if (emissionMap == null) material.emission else Rgba.BLACK
 
     /** Whether a colour stays as it is after light. */
-    private val isFinished = emissionMap == null && toneMapper == null
+    private val isFinished = emissionMap == null && toneMapper == null && lobes == null
 
     /** Whether a colour is only a product and a sum. */
     private val isSimple = texture == null && isFinished && !isLit
 
     /** Whether the light of many fragments can be computed together. */
-    private val hasMaps = texture != null || normalMap != null || occlusionMap != null || modelMap != null
+    private val hasMaps = texture != null || normalMap != null || occlusionMap != null || !model?.maps.isNullOrEmpty()
 
     /**
      * Whether colours change little within a pixel: there are no maps, and no highlights that may be narrower than a
@@ -56,7 +57,7 @@ internal class MaterialShader(
     val isSmooth: Boolean = !hasMaps && emissionMap == null && (!isLit || hasWideHighlights())
 
     private fun hasWideHighlights(): Boolean = when {
-        model != null -> model.roughness >= LEAST_ROUGHNESS
+        model != null -> minOf(model.roughness, model.lobes?.clearcoat?.roughness ?: 1f) >= LEAST_ROUGHNESS
         else -> material.specular == Rgba.BLACK || material.shininess <= MOST_SHININESS
     }
 
@@ -82,6 +83,7 @@ internal class MaterialShader(
 
         // Light
         if (isLit) {
+            lobes?.setCoatNormal(fragment)
             normalMap?.apply(fragment)
             val occlusion = if (occlusionMap == null) 1f else occlusion(occlusionMap.read(fragment))
             val light = fragment.light
@@ -112,20 +114,25 @@ internal class MaterialShader(
         }
     }
 
-    /** Adds the emission of the map, applies the tone mapping, and sets the colour of [fragment]. */
+    /**
+     * Adds the emission of the map, applies the tone mapping, and sets the colour of [fragment]. Glass has the whole
+     * light although a part of it is what shines through, so its colour is divided by the rest.
+     */
     private fun finish(fragment: Fragment, red: Float, green: Float, blue: Float, opacity: Float) {
         val color = fragment.light
         color[0] = red
         color[1] = green
         color[2] = blue
-        if (emissionMap != null) {
+        if (emissionMap != null && lobes == null) {
             val texel = emissionMap.read(fragment)
             color[0] += material.emission.red * texel[0]
             color[1] += material.emission.green * texel[1]
             color[2] += material.emission.blue * texel[2]
         }
         toneMapper?.apply(color)
-        fragment.setColor(color[0], color[1], color[2], opacity)
+        if (lobes == null) return fragment.setColor(color[0], color[1], color[2], opacity)
+        val rest = 1f - fragment.surface[PhysicalSurface.PASSED]
+        fragment.setColor(color[0] / rest, color[1] / rest, color[2] / rest, opacity * rest)
     }
 
     /** Stores the light that the fragment reflects, and its emission, in 0..2 of its [Fragment.light]. */
@@ -142,7 +149,32 @@ internal class MaterialShader(
         light[0] = emission.red
         light[1] = emission.green
         light[2] = emission.blue
+        if (lobes != null) return reflectLobes(lobes, fragment, red, green, blue, metallic, occlusion)
         lighting.physical.illuminate(
+            fragment.surface, occlusion, fragment.worldX, fragment.worldY, fragment.worldZ,
+            fragment.normalX, fragment.normalY, fragment.normalZ, light,
+        )
+    }
+
+    /** The same for a material with lobes. A clear coat also covers the emission, so that of the map is added here. */
+    private fun reflectLobes(
+        lobes: LobeReader,
+        fragment: Fragment,
+        red: Float,
+        green: Float,
+        blue: Float,
+        metallic: Float,
+        occlusion: Float,
+    ) {
+        val light = fragment.light
+        if (emissionMap != null) {
+            val texel = emissionMap.read(fragment)
+            light[0] = material.emission.red * texel[0]
+            light[1] = material.emission.green * texel[1]
+            light[2] = material.emission.blue * texel[2]
+        }
+        lobes.set(fragment, red, green, blue, metallic)
+        lighting.lobes.illuminate(
             fragment.surface, occlusion, fragment.worldX, fragment.worldY, fragment.worldZ,
             fragment.normalX, fragment.normalY, fragment.normalZ, light,
         )
@@ -160,7 +192,7 @@ internal class MaterialShader(
             if (material.alphaMode == AlphaMode.BLEND) scale(batch.vertexAlpha, base.alpha, 0f, batch.alpha, count)
             return
         }
-        if (!isLit || count < BatchLighting.FEWEST || !shadeTogether(batch)) batch.shadeEach(this)
+        if (!isLit || lobes != null || count < BatchLighting.FEWEST || !shadeTogether(batch)) batch.shadeEach(this)
     }
 
     /** Shades the fragments of [batch] together. Returns false if that cannot give the same bits as one by one. */

@@ -16,6 +16,8 @@ object PictureWords {
         "format" to listOf("obj", "OBJ", "doc"),
         "up" to listOf("x", "-z", "w"),
         "animation-time" to listOf("0", "1000000", "-1"),
+        "variant" to listOf("blue", "Street Sneaker", ""),
+        "scene" to listOf("0", "7", "-1"),
         "size" to listOf("40x30", "32", "40y30"),
         "region" to listOf("0,0,1x1", "3,4,20x15", "0,0,0x1"),
         "aa" to listOf("1", "8", "3"),

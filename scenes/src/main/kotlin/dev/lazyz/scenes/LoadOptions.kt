@@ -11,14 +11,20 @@ import java.time.Duration
  *   the last. Null, the default, shows the model at rest, without its animations. Only glTF files have animations
  * @property smoothNormals whether meshes without normals in the file get smooth normals, except at the creases that
  *   the file's format defines. If false, each triangle has its own normal, and reading takes less time and memory
- * @throws IllegalArgumentException if [animationTime] is negative, infinite, or not a number
+ * @property variant the name of the variant whose materials are shown (`KHR_materials_variants`). Null, the default, shows
+ *   the materials without variants. Only glTF files have variants
+ * @property sceneNumber the scene of a glTF file that is shown, from 0. Null, the default, shows the default scene
+ * @throws IllegalArgumentException if [animationTime] is negative, infinite, or not a number, or [sceneNumber] is negative
  */
 public class LoadOptions @JvmOverloads constructor(
     public val limits: LoadLimits = LoadLimits(),
     public val animationTime: Double? = null,
     public val smoothNormals: Boolean = true,
+    public val variant: String? = null,
+    public val sceneNumber: Int? = null,
 ) {
     init {
+        require(sceneNumber == null || sceneNumber >= 0) { "sceneNumber must be 0 or more: $sceneNumber" }
         require(animationTime == null || (animationTime >= 0.0 && animationTime.isFinite())) {
             "animationTime must be 0 or more: $animationTime"
         }
@@ -39,13 +45,23 @@ public class LoadOptions @JvmOverloads constructor(
     /** Returns these options without smooth normals: each triangle has its own normal. */
     public fun withoutSmoothNormals(): LoadOptions = copy(smoothNormals = false)
 
+    /** Returns these options with the name of a variant, or without one. */
+    public fun withVariant(variant: String?): LoadOptions = copy(variant = variant)
+
+    /** Returns these options with the number of a scene, 0 or more, or for the default scene. */
+    public fun withSceneNumber(sceneNumber: Int?): LoadOptions = copy(sceneNumber = sceneNumber)
+
     private fun copy(
         limits: LoadLimits = this.limits,
         animationTime: Double? = this.animationTime,
         smoothNormals: Boolean = this.smoothNormals,
-    ): LoadOptions = LoadOptions(limits, animationTime, smoothNormals)
+        variant: String? = this.variant,
+        sceneNumber: Int? = this.sceneNumber,
+    ): LoadOptions = LoadOptions(limits, animationTime, smoothNormals, variant, sceneNumber)
 
-    override fun toString(): String = "LoadOptions($limits, animationTime=$animationTime, smoothNormals=$smoothNormals)"
+    override fun toString(): String =
+        "LoadOptions($limits, animationTime=$animationTime, smoothNormals=$smoothNormals, variant=$variant, " +
+            "sceneNumber=$sceneNumber)"
 }
 
 /** Which files a model or a scene file may refer to. */

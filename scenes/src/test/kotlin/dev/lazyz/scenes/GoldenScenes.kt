@@ -12,6 +12,7 @@ import dev.lazyz.world.Light
 import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
@@ -89,6 +90,13 @@ internal object GoldenScenes {
         "on-ground" to { onGround(scene(shown(shining(Shading.BLINN_PHONG)))) },
         "mirrored" to { scene(mirrored()) },
         "normal-map" to { scene(bumpy()).withEnvironment(Environment.NONE) },
+        "lobes" to { scene(lacquered()).withEnvironment(Environment.USUAL) },
+        "glass" to {
+            val pane = Lobes.Transmission(0.9f, null, 1f, null, Rgba(0.3f, 0.6f, 0.9f), 2f)
+            val glass = Material(Rgba.WHITE, alphaMode = AlphaMode.BLEND)
+                .withMetallicRoughness(MetallicRoughness(0f, 0.1f, null, Lobes(transmission = pane)))
+            scene(shown(glass) + behind(glass, 0) + wall()).withEnvironment(Environment.USUAL)
+        },
         "matcap" to { shadedBy { Matcap(smooth(leaf), it, tint = Rgba(0.9f, 1f, 0.8f)) } },
         "matcap-orthographic" to {
             val camera = Camera.orthographic(
@@ -140,6 +148,19 @@ internal object GoldenScenes {
         return (listOf(sheet(plastic)) + behind(metal, 1) + behind(plastic, -1)).map {
             (it as Mesh).withTangents(transform = transform)
         }
+    }
+
+    /** All lobes that reflect, with maps and without. */
+    private fun lacquered(): List<Surface> {
+        val map = TextureMap(smooth(leaf.withEncoding(Texture.Encoding.LINEAR)))
+        val colors = TextureMap(smooth(leaf))
+        val plastic = shining(Shading.PHONG).withNormalMap(NormalMap(map, 0.4f))
+        fun of(lobes: Lobes) = plastic.withMetallicRoughness(MetallicRoughness(0.2f, 0.6f, null, lobes))
+        val cloth = of(Lobes(sheen = Lobes.Sheen(Rgba(0.5f, 0.7f, 0.9f), 0.4f, colors, map)))
+        val coat = of(Lobes(clearcoat = Lobes.Clearcoat(1f, 0.1f, null, map, NormalMap(map, 0.5f))))
+        val glossy = of(Lobes(Lobes.Specular(0.9f, Rgba(0.9f, 0.6f, 1f), 2f, map, colors)))
+        return (listOf(sheet(coat)) + behind(cloth, 1) + behind(glossy, -1)).map { (it as Mesh).withTangents() } +
+            Sphere(Vector3d(1.2, -0.9, 0.9), 0.6, coat.withNormalMap(null))
     }
 
     /** Two squares with a texture that is mirrored along one axis, or along both, and read far beyond its sides. */

@@ -11,6 +11,7 @@ import dev.lazyz.world.Light
 import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
@@ -56,24 +57,33 @@ class StrategiesAgreeTest {
     fun rule_7_1_onPhysicallyBasedMaterials(): List<DynamicTest> = AlphaMode.entries.flatMap { mode ->
         listOf(true, false).map { hasLights ->
             dynamicTest("$mode, ${if (hasLights) "lights" else "studio"}") {
-                val scene = Scene(listOf(physical(mode))).withToneMapping(ToneMapping(ToneMapping.Curve.ACES, 0.5))
-                val lit = scene.withLights(LIGHTS).withEnvironment(Environment.studio(0.5f))
-                assertAgree(if (hasLights) lit else scene)
+                for (hasLobes in listOf(false, true)) {
+                    val scene = Scene(listOf(physical(mode, hasLobes)))
+                        .withToneMapping(ToneMapping(ToneMapping.Curve.ACES, 0.5))
+                    val lit = scene.withLights(LIGHTS).withEnvironment(Environment.studio(0.5f))
+                    assertAgree(if (hasLights) lit else scene)
+                }
             }
         }
     }
 
     /** The awkward mesh with all maps, two sets of texture coordinates, and tangents. */
-    private fun physical(mode: AlphaMode): Mesh {
+    private fun physical(mode: AlphaMode, hasLobes: Boolean): Mesh {
         val random = Random(7)
         fun map(set: Int, encoding: Texture.Encoding) = TextureMap(
             Texture(3, 5, IntArray(15) { random.nextInt() }, encoding = encoding),
             set,
             UvTransform(1.5, -0.5, 30.0 * set, 0.25, 0.125),
         )
+        val lobes = Lobes(
+            Lobes.Specular(0.9f, Rgba(0.5f, 1f, 0.75f), 1.4f, map(0, Texture.Encoding.LINEAR)),
+            Lobes.Sheen(Rgba(0.25f, 0.5f, 0.75f), 0.5f, map(1, Texture.Encoding.SRGB)),
+            Lobes.Clearcoat(0.5f, 0.5f, normalMap = NormalMap(map(1, Texture.Encoding.LINEAR))),
+            Lobes.Transmission(0.5f, null, 1f, map(0, Texture.Encoding.LINEAR), Rgba(0.5f, 0.75f, 1f), 2f),
+        ).takeIf { hasLobes }
         val material = Material(Rgba(0.9f, 0.8f, 0.7f, 0.75f), emission = Rgba(0.5f, 1f, 2f), alphaMode = mode)
             .withTextureMap(map(1, Texture.Encoding.SRGB))
-            .withMetallicRoughness(MetallicRoughness(0.75f, 0.5f, map(0, Texture.Encoding.LINEAR)))
+            .withMetallicRoughness(MetallicRoughness(0.75f, 0.5f, map(0, Texture.Encoding.LINEAR), lobes))
             .withNormalMap(NormalMap(map(1, Texture.Encoding.LINEAR), 0.5f))
             .withOcclusionMap(OcclusionMap(map(0, Texture.Encoding.LINEAR), 0.5f))
             .withEmissionMap(map(1, Texture.Encoding.SRGB))

@@ -153,7 +153,7 @@ internal class InputMemory(
         val own = shown.loading
         val most = own.limits.decodedBytes ?: LoadLimits.defaultDecodedBytes(size)
         val little = minOf(FREE_BYTES + DECODED_PER_BYTE * size, most)
-        val reduced = LoadOptions(own.limits.withDecodedBytes(little), own.animationTime, own.smoothNormals)
+        val reduced = own.withLimits(own.limits.withDecodedBytes(little))
         val steps = listOf(
             MemoryStep(guess, reduced, isReduced = little < most, isLast = false),
             MemoryStep(guess + most, own, isReduced = false, isLast = false),

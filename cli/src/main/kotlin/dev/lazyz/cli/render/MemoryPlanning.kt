@@ -76,9 +76,7 @@ internal class MemoryPlanning(
 
     /** The limits for reading the model as a whole. */
     val loading: LoadOptions
-        get() = with(request.shown.loading) {
-            LoadOptions(limits.withMemory(maxOf(memory, least)), animationTime, smoothNormals)
-        }
+        get() = with(request.shown.loading) { withLimits(limits.withMemory(maxOf(memory, least))) }
 
     /**
      * Whether the model can be read in the other way, as a whole or part by part, and perhaps with less memory, after

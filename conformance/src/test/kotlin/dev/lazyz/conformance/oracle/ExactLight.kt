@@ -6,6 +6,7 @@ import dev.lazyz.world.Camera
 import dev.lazyz.world.Light
 import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Projection
+import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import org.joml.Vector3d
@@ -91,10 +92,20 @@ internal class ExactLight(
      *
      * @param graze as in [at]
      */
-    fun reflected(color: DoubleArray, metallic: Double, roughness: Double, place: Place, graze: Double): DoubleArray? {
+    fun reflected(
+        color: DoubleArray,
+        metallic: Double,
+        roughness: Double,
+        specular: Lobes.Specular?,
+        place: Place,
+        graze: Double,
+    ): DoubleArray? {
+        val strength = specular?.strength?.toDouble() ?: 1.0
+        val tint = specular?.let { parts(it.color) } ?: doubleArrayOf(1.0, 1.0, 1.0)
+        val atNormal = specular?.refraction?.toDouble()?.let { Math.pow((it - 1) / (it + 1), 2.0) } ?: 0.04
+        val f90 = strength * (1 - metallic) + metallic
         val v = toViewer(place.point).normalize()
         val n = unitNormal(place.normal, v) ?: return null
-        val alpha = maxOf(roughness * roughness, 1.0 / 512)
         val sum = DoubleArray(3)
         for (light in physical) {
             if (light is Light.Ambient) error("the oracle does not know ambient light on metallic-roughness materials")
@@ -105,19 +116,44 @@ internal class ExactLight(
             val h = Vector3d(l).add(v)
             if (h.length() < LEAST) return null
             h.normalize()
-            val across = Vector3d(n).cross(h).lengthSquared()
-            val width = n.dot(h) * n.dot(h) * alpha * alpha + across
-            val d = if (n.dot(h) > 0.0) alpha * alpha / (width * width) else 0.0
-            val shadows = smith(cosine, alpha) * smith(Math.abs(n.dot(v)), alpha)
+            val lobe = lobe(n, l, v, h, roughness)
             val grazing = Math.pow(1 - minOf(1.0, Math.abs(v.dot(h))), 5.0)
             for (k in 0 until 3) {
-                val f0 = 0.04 * (1 - metallic) + color[k] * metallic
-                val f = f0 + (1 - f0) * grazing
+                val f0 = minOf(atNormal * tint[k], 1.0) * strength * (1 - metallic) + color[k] * metallic
+                val f = f0 + (f90 - f0) * grazing
                 val diffuse = color[k] * (1 - metallic)
-                sum[k] += beam.color[k] * cosine * ((1 - f) * diffuse + f * d / shadows)
+                sum[k] += beam.color[k] * cosine * ((1 - f) * diffuse + f * lobe)
             }
         }
         return sum
+    }
+
+    /** Returns the light [below] a clear coat and that of the coat: rule 6.16. The parameters are as in [reflected]. */
+    fun coated(below: DoubleArray, coat: Lobes.Clearcoat, place: Place, graze: Double): DoubleArray? {
+        val v = toViewer(place.point).normalize()
+        val n = unitNormal(place.normal, v) ?: return null
+        val weight = coat.strength * (0.04 + 0.96 * Math.pow(1 - minOf(1.0, Math.abs(n.dot(v))), 5.0))
+        val sum = DoubleArray(3) { below[it] * (1 - weight) }
+        for (light in physical) {
+            val beam = beam(light, place.point) ?: return null
+            val l = beam.direction
+            val cosine = n.dot(l)
+            if (!(cosine > graze)) continue
+            val h = Vector3d(l).add(v)
+            if (h.length() < LEAST) return null
+            val lobe = lobe(n, l, v, h.normalize(), coat.roughness.toDouble())
+            for (k in 0 until 3) sum[k] += beam.color[k] * cosine * weight * lobe
+        }
+        return sum
+    }
+
+    /** The product D V of rule 6.8. */
+    private fun lobe(n: Vector3d, l: Vector3d, v: Vector3d, h: Vector3d, roughness: Double): Double {
+        if (!(n.dot(h) > 0.0)) return 0.0
+        val alpha = maxOf(roughness * roughness, 1.0 / 512)
+        val across = Vector3d(n).cross(h).lengthSquared()
+        val width = n.dot(h) * n.dot(h) * alpha * alpha + across
+        return alpha * alpha / (width * width) / (smith(n.dot(l), alpha) * smith(Math.abs(n.dot(v)), alpha))
     }
 
     private fun smith(cosine: Double, alpha: Double) =
@@ -177,6 +213,10 @@ internal class ExactLight(
         /** Whether light is computed by the metallic-roughness model. */
         fun isPhysical(material: Material): Boolean =
             material.metallicRoughness != null && material.shading != Shading.CONSTANT
+
+        /** Whether emission is below a clear coat. */
+        fun hasLobes(material: Material): Boolean =
+            isPhysical(material) && material.metallicRoughness?.lobes != null
 
         /** Whether light is evaluated at the vertices. */
         fun isAtVertices(material: Material): Boolean =

@@ -13,6 +13,7 @@ import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
+import org.joml.Vector3dc
 
 /** The colours that the contract permits at a sample. */
 internal fun interface ExactColor {
@@ -165,10 +166,11 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
                 else -> {
                     val normal = maps.normal(texels) ?: return emptyList()
                     val place = ExactLight.Place(sample.world, normal)
-                    lit(material, own, texels, place, isPhong, graze) ?: return emptyList()
+                    lit(material, own, texels, place, sample.normal, isPhong, graze) ?: return emptyList()
                 }
             }
-            val emitted = if (material.emissionMap == null) DoubleArray(3) else ExactLight.parts(material.emission)
+            val isAdded = material.emissionMap != null && !ExactLight.hasLobes(material)
+            val emitted = if (isAdded) ExactLight.parts(material.emission) else DoubleArray(3)
             val light = DoubleArray(3) { shown[it] + emitted[it] * texels.emission[it] }
             val alpha = if (material.alphaMode == AlphaMode.BLEND) own[3] else 1.0
             doubleArrayOf(*toneMapping.of(light), alpha)
@@ -181,13 +183,20 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         own: DoubleArray,
         texels: ExactMaps.Texels,
         place: ExactLight.Place,
+        ownNormal: Vector3dc,
         isPhong: Boolean,
         graze: Double,
     ): DoubleArray? {
         val model = material.metallicRoughness
         if (model != null) {
             val (metallic, roughness) = model.metallic * texels.metallic to model.roughness * texels.roughness
-            return light.reflected(own, metallic, roughness, place, graze)?.let { sum(it, emission(material)) }
+            val lobes = model.lobes
+            val reflected = light.reflected(own, metallic, roughness, lobes?.specular, place, graze) ?: return null
+            if (lobes == null) return sum(reflected, emission(material))
+            val emitted = ExactLight.parts(material.emission)
+            val below = DoubleArray(3) { reflected[it] + emitted[it] * texels.emission[it] }
+            val coat = lobes.clearcoat ?: return below
+            return light.coated(below, coat, ExactLight.Place(place.point, ownNormal), graze)
         }
         val occlusion = 1 + (material.occlusionMap?.strength ?: 0f) * (texels.occlusion - 1)
         val sum = light.at(material, emission(material), occlusion, place, isPhong, graze) ?: return null

@@ -15,6 +15,8 @@ import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Spans
 import dev.lazyz.world.Environment
 import dev.lazyz.world.Light
+import dev.lazyz.world.material.Lobes
+import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
@@ -90,10 +92,17 @@ class ExactShadingTest {
         val isPhysical = scene.surfaces.mapNotNull(ExactShading::materialOf).any(ExactLight::isPhysical)
         val lights = scene.lights.ifEmpty { Light.studio(scene.camera(raster.width, raster.height)) }
         val known = scene.withSurfaces(scene.surfaces.filterNot { it is Points || it is Lines })
-            .withMaterials { it.withMipFilter(MipFilter.NONE) }
+            .withMaterials { withKnownLobes(it.withMipFilter(MipFilter.NONE)) }
             .withLights(if (isPhysical) lights.filterNot { it is Light.Ambient } else scene.lights)
             .withEnvironment(Environment.NONE)
         FrameCase(known.frame(raster), "// without what the oracle does not know\n${case.code}", known)
+    }
+
+    /** Without sheen and transmission, whose albedos are tables. */
+    private fun withKnownLobes(material: Material): Material {
+        val model = material.metallicRoughness ?: return material
+        val lobes = model.lobes?.let { Lobes(it.specular, clearcoat = it.clearcoat) }
+        return material.withMetallicRoughness(model.withLobes(lobes))
     }
 
     /** Compares the colours of all primitives at all samples that they cover, hidden or not. */

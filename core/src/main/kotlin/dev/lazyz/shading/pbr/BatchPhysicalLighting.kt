@@ -229,7 +229,7 @@ internal class BatchPhysicalLighting(
     ) {
         for (i in 0 until count) {
             radiance[i] =
-                PhysicalLighting.gathered(f0[i], diffuse[i], scale[i], bias[i], radiance[i], irradiance[i], open[i])
+                PhysicalLighting.gathered(f0[i], diffuse[i], scale[i], bias[i], radiance[i], irradiance[i], open[i], 1f)
         }
     }
 

@@ -62,6 +62,7 @@ internal class PhysicalLighting(
     ) {
         val alpha = Microfacets.alpha(surface[PhysicalSurface.ROUGHNESS])
         val a2 = alpha * alpha
+        val f90 = surface[PhysicalSurface.GRAZING]
         for (light in 0 until sources.count) {
             sources.from(light, px, py, pz) { lx, ly, lz, strength ->
                 val cosineL = nx * lx + ny * ly + nz * lz
@@ -90,7 +91,7 @@ internal class PhysicalLighting(
                 }
                 for (channel in 0 until 3) {
                     val f0 = surface[PhysicalSurface.REFLECTANCE + channel]
-                    val reflected = reflected(f0, surface[PhysicalSurface.DIFFUSE + channel], grazing, lobe)
+                    val reflected = reflected(f0, surface[PhysicalSurface.DIFFUSE + channel], grazing, lobe, f90)
                     out[channel] += sources.color(light, channel) * strength * cosineL * reflected
                 }
             }
@@ -112,19 +113,20 @@ internal class PhysicalLighting(
     ) {
         val ambient = sources.ambient
         val roughness = surface[PhysicalSurface.ROUGHNESS]
-        surface.fill(0f, PhysicalSurface.RADIANCE, PhysicalSurface.SIZE)
+        surface.fill(0f, PhysicalSurface.RADIANCE, PhysicalSurface.GRAZING)
         if (studio != null) {
             val alpha = roughness * roughness
             studio.radiance(2f * along * nx - vx, 2f * along * ny - vy, 2f * along * nz - vz, alpha, surface)
             studio.irradiance(nx, ny, nz, surface)
         }
+        val f90 = surface[PhysicalSurface.GRAZING]
         DirectionalAlbedo.at(minOf(abs(along), 1f), roughness) { scale, bias ->
             for (channel in 0 until 3) {
                 val radiance = surface[PhysicalSurface.RADIANCE + channel] + ambient[channel]
                 val irradiance = surface[PhysicalSurface.IRRADIANCE + channel] + ambient[channel]
                 val f0 = surface[PhysicalSurface.REFLECTANCE + channel]
                 val diffuse = surface[PhysicalSurface.DIFFUSE + channel]
-                out[channel] += gathered(f0, diffuse, scale, bias, radiance, irradiance, open) * occlusion
+                out[channel] += gathered(f0, diffuse, scale, bias, radiance, irradiance, open, f90) * occlusion
             }
         }
     }
@@ -135,9 +137,10 @@ internal class PhysicalLighting(
          *
          * @param f0 reflectance at normal incidence
          * @param lobe the product D * V
+         * @param f90 reflectance at grazing incidence
          */
-        fun reflected(f0: Float, diffuse: Float, grazing: Float, lobe: Float): Float {
-            val fresnel = f0 + (1f - f0) * grazing
+        fun reflected(f0: Float, diffuse: Float, grazing: Float, lobe: Float, f90: Float = 1f): Float {
+            val fresnel = f0 + (f90 - f0) * grazing
             return (1f - fresnel) * diffuse + fresnel * lobe
         }
 
@@ -148,6 +151,7 @@ internal class PhysicalLighting(
          * @param scale see [DirectionalAlbedo]; also [bias]
          * @param radiance the light around the reflected ray
          * @param irradiance the light that a matt surface receives
+         * @param f90 reflectance at grazing incidence
          */
         fun gathered(
             f0: Float,
@@ -156,9 +160,10 @@ internal class PhysicalLighting(
             bias: Float,
             radiance: Float,
             irradiance: Float,
+            f90: Float = 1f,
         ): Float {
-            val once = f0 * scale + bias
-            return once * radiance + rest(f0, diffuse, scale, bias, once) * irradiance
+            val once = f0 * scale + f90 * bias
+            return once * radiance + rest(f0, diffuse, scale, bias, once, f90) * irradiance
         }
 
         /** The same in a hollow, of which the part [open] is open to the light, 0..1. */
@@ -170,20 +175,21 @@ internal class PhysicalLighting(
             radiance: Float,
             irradiance: Float,
             open: Float,
+            f90: Float,
         ): Float {
-            if (open == 1f) return gathered(f0, diffuse, scale, bias, radiance, irradiance)
-            val once = f0 * scale + bias
+            if (open == 1f) return gathered(f0, diffuse, scale, bias, radiance, irradiance, f90)
+            val once = f0 * scale + f90 * bias
             return once * open * radiance +
-                rest(f0, diffuse, scale, bias, once) * reflectedIn(open, diffuse) * irradiance
+                rest(f0, diffuse, scale, bias, once, f90) * reflectedIn(open, diffuse) * irradiance
         }
 
         /** Returns what is reflected more than once between microfacets, and what a matt surface below reflects. */
-        private fun rest(f0: Float, diffuse: Float, scale: Float, bias: Float, once: Float): Float {
+        private fun rest(f0: Float, diffuse: Float, scale: Float, bias: Float, once: Float, f90: Float): Float {
             val single = scale + bias
             val lost = 1f - single
 
             // Base colours above 1 reflect more than all light, but between microfacets no more than that
-            val mean = minOf(f0 + (1f - f0) / 21f, 1f)
+            val mean = minOf(f0 + (f90 - f0) / 21f, 1f)
             val more = lost * once * mean / (1f - mean * lost)
             val matt = diffuse * maxOf(1f - once - more, 0f)
             return more + matt

@@ -85,12 +85,14 @@ public class Material private constructor(
 
     /**
      * Whether samples of this material can be translucent: [AlphaMode.BLEND], with alpha below 1 in the base colour or
-     * the texture, or with a custom shader. Vertex colours can make a surface translucent too, but are not considered
+     * the texture, with a custom shader, or with [Lobes.Transmission]. Vertex colours can make a surface translucent too, but are not considered
      * here.
      */
     public val isTranslucent: Boolean
         get() = alphaMode == AlphaMode.BLEND &&
-            (!(baseColor.alpha >= 1f) || texture?.hasAlpha == true || shader != null)
+            (!(baseColor.alpha >= 1f) || texture?.hasAlpha == true || shader != null || isGlass)
+
+    private val isGlass get() = isPhysical && metallicRoughness?.lobes?.transmission != null
 
     /** Whether light is computed by the metallic-roughness model. */
     internal val isPhysical: Boolean
@@ -109,13 +111,19 @@ public class Material private constructor(
         get() = listOfNotNull(textureMap, emissionMap) + if (!isLitLate) {
             emptyList()
         } else {
-            listOfNotNull(metallicRoughness?.map?.takeIf { isPhysical }, normalMap?.map, occlusionMap?.map)
+            metallicRoughness?.maps.orEmpty().filter { isPhysical } + listOfNotNull(normalMap?.map, occlusionMap?.map)
         }
 
     /** The sets of texture coordinates that maps use, also where light is not computed at samples. */
     internal val uvSets: Set<Int>
-        get() = listOfNotNull(textureMap, emissionMap, metallicRoughness?.map, normalMap?.map, occlusionMap?.map)
-            .mapTo(HashSet()) { it.uvSet }
+        get() = (
+            listOfNotNull(textureMap, emissionMap, normalMap?.map, occlusionMap?.map) +
+                metallicRoughness?.maps.orEmpty()
+            ).mapTo(HashSet()) { it.uvSet }
+
+    /** The map to whose texture coordinates the tangents of a surface must belong; null if nothing uses tangents. */
+    public val tangentMap: TextureMap?
+        get() = normalMap?.map ?: metallicRoughness?.lobes?.clearcoat?.normalMap?.map
 
     /** Whether textures are read with the derivatives of their coordinates. */
     internal val usesFootprint: Boolean get() = maps.any { it.texture.mipFilter != MipFilter.NONE }
@@ -165,9 +173,7 @@ public class Material private constructor(
         fun filtered(map: TextureMap) = map.withTexture(map.texture.withMipFilter(mipFilter))
         return copy(
             textureMap = textureMap?.let(::filtered),
-            metallicRoughness = metallicRoughness?.let {
-                MetallicRoughness(it.metallic, it.roughness, it.map?.let(::filtered))
-            },
+            metallicRoughness = metallicRoughness?.mapped(::filtered),
             normalMap = normalMap?.let { NormalMap(filtered(it.map), it.scale) },
             occlusionMap = occlusionMap?.let { OcclusionMap(filtered(it.map), it.strength) },
             emissionMap = emissionMap?.let(::filtered),
@@ -186,9 +192,7 @@ public class Material private constructor(
         fun isKept(map: TextureMap) = hasUvSet.test(map.uvSet)
         return copy(
             textureMap = textureMap?.takeIf(::isKept),
-            metallicRoughness = metallicRoughness?.let {
-                MetallicRoughness(it.metallic, it.roughness, it.map?.takeIf(::isKept))
-            },
+            metallicRoughness = metallicRoughness?.mapped { map -> map.takeIf(::isKept) },
             normalMap = normalMap?.takeIf { isKept(it.map) },
             occlusionMap = occlusionMap?.takeIf { isKept(it.map) },
             emissionMap = emissionMap?.takeIf(::isKept),

@@ -9,22 +9,34 @@ package dev.lazyz.world.material
  *   the distribution of microfacets
  * @property map multiplies [roughness] by its green and [metallic] by its blue component; or null. Its texture should
  *   have [Texture.Encoding.LINEAR]
+ * @property lobes what it reflects besides; null for nothing
  * @throws IllegalArgumentException if [metallic] or [roughness] is not in 0..1
  */
 public class MetallicRoughness @JvmOverloads constructor(
     public val metallic: Float = 1f,
     public val roughness: Float = 1f,
     public val map: TextureMap? = null,
+    public val lobes: Lobes? = null,
 ) {
     init {
         require(metallic in 0f..1f) { "metallic must be in 0..1: $metallic" }
         require(roughness in 0f..1f) { "roughness must be in 0..1: $roughness" }
     }
 
+    /** All maps. */
+    internal val maps: List<TextureMap> get() = listOfNotNull(map) + lobes?.maps.orEmpty()
+
+    /** Returns this model with other [lobes], or without any. */
+    public fun withLobes(lobes: Lobes?): MetallicRoughness = MetallicRoughness(metallic, roughness, map, lobes)
+
+    /** Returns this model with what [change] makes of each map. */
+    internal fun mapped(change: (TextureMap) -> TextureMap?): MetallicRoughness =
+        MetallicRoughness(metallic, roughness, map?.let(change), lobes?.mapped(change))
+
     override fun equals(other: Any?): Boolean = other is MetallicRoughness && map == other.map &&
-        metallic.compareTo(other.metallic) == 0 && roughness.compareTo(other.roughness) == 0
+        lobes == other.lobes && metallic.compareTo(other.metallic) == 0 && roughness.compareTo(other.roughness) == 0
 
-    override fun hashCode(): Int = (metallic.hashCode() * 31 + roughness.hashCode()) * 31 + map.hashCode()
+    override fun hashCode(): Int = listOf(metallic, roughness, map, lobes).hashCode()
 
-    override fun toString(): String = "MetallicRoughness($metallic, $roughness, $map)"
+    override fun toString(): String = "MetallicRoughness($metallic, $roughness, $map${lobes?.let { ", $it" }.orEmpty()})"
 }

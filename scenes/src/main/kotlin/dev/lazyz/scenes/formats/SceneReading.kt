@@ -82,9 +82,7 @@ internal object SceneReading {
             SceneFormat.GLTF, SceneFormat.GLB -> GltfParser
             SceneFormat.SCENE -> return SceneFileReader(source).read()
         }
-        if (parser != GltfParser && source.loading.options.animationTime != null) {
-            source.warn("files of this format have no animation, so the requested time has no effect")
-        }
+        if (parser != GltfParser) warnOfChoices(source)
         try {
             val scene = parser.parse(source)
             return LoadedScene(
@@ -191,6 +189,18 @@ internal object SceneReading {
     private fun tooLarge(name: String, size: Long, format: SceneFormat?, limits: LoadLimits): SceneMemoryException {
         val problem = "is too large: $size bytes, at most ${mostBytes(format, limits)} fit"
         return SceneMemoryException(name, problem, "raise -Xmx, or split it")
+    }
+
+    private fun warnOfChoices(source: Source) {
+        val options = source.loading.options
+        val choices = listOf(
+            Triple(options.animationTime, "animation", "time"), Triple(options.variant, "variants", "variant"),
+            Triple(options.sceneNumber, "further scenes", "scene"),
+        )
+        for ((choice, what, wanted) in choices) {
+            if (choice == null) continue
+            source.warn("files of this format have no $what, so the requested $wanted has no effect")
+        }
     }
 
     private fun sniffed(source: Source): SceneFormat {

@@ -7,6 +7,7 @@ import dev.lazyz.scenes.gltf.document.GltfCompressedViews
 import dev.lazyz.scenes.gltf.document.GltfContainer
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.document.SpecularGlossiness
+import dev.lazyz.scenes.gltf.document.VARIANTS
 import dev.lazyz.scenes.gltf.geometry.GltfInstances
 import dev.lazyz.scenes.gltf.geometry.GltfMeshes
 import dev.lazyz.scenes.gltf.geometry.GltfNodes
@@ -15,6 +16,7 @@ import dev.lazyz.scenes.gltf.geometry.GltfSkins
 import dev.lazyz.scenes.gltf.geometry.GltfVertices
 import dev.lazyz.scenes.gltf.geometry.PlacedNode
 import dev.lazyz.scenes.gltf.geometry.RelativeToCenter
+import dev.lazyz.scenes.gltf.materials.GltfLobes
 import dev.lazyz.scenes.gltf.materials.GltfMaterials
 import dev.lazyz.scenes.gltf.materials.GltfTextures
 import dev.lazyz.scenes.loading.SceneParser
@@ -26,7 +28,7 @@ import dev.lazyz.world.Scene
  * Reads glTF 2.0, as JSON (`.gltf`) or as one binary file (`.glb`). The content decides which of the two it is (Khronos
  * Group, "glTF 2.0 Specification", version 2.0.1; section numbers in this package refer to that document).
  *
- * It reads the default scene, or all nodes without a parent if there is none: node transforms, triangles of all three
+ * It reads the scene that was asked for, or the default scene, or all nodes without a parent if there is none: node transforms, triangles of all three
  * modes, points, lines of all three modes, normals (without them, shading is flat, 3.7.2.1), one set of texture
  * coordinates, `COLOR_0`, materials as described at [GltfMaterials], and lights as described at [GltfLights]. The first
  * camera in the scene becomes the viewpoint, see [GltfCameras]; without one, a camera is fitted to the scene. Skins and
@@ -87,7 +89,8 @@ internal object GltfExtensions {
         GltfInstances.NAME,
         GltfNodes.VISIBILITY,
         RelativeToCenter.NAME,
-    ) + GltfCompressedViews.NAMES + GltfTextures.formats.keys
+        VARIANTS,
+    ) + GltfLobes.NAMES + GltfCompressedViews.NAMES + GltfTextures.formats.keys
 
     private const val MOST_SHOWN = 20
 

@@ -129,8 +129,8 @@ internal class ObjMeshes(
             part.origin,
             name = group.label.name,
         )
-        val normals = mesh.material.normalMap ?: return mesh
-        return mesh.withTangents(0, normals.map.transform)
+        val map = mesh.material.tangentMap ?: return mesh
+        return mesh.withTangents(0, map.transform)
     }
 
     private fun place(uvs: FloatArray, material: MtlMaterial) {

@@ -210,6 +210,17 @@ internal class CameraValues : ParameterValues<CameraChoice>("CAMERA") {
     }
 }
 
+/** Any text. */
+internal class TextValues(form: String) : ParameterValues<String>(form) {
+    override fun read(word: String): String = word.ifEmpty { unfit("it is empty") }
+}
+
+/** Numbers of scenes. */
+internal class ScenesValues : ParameterValues<Int>("N") {
+    override fun read(word: String): Int =
+        word.toIntOrNull()?.takeIf { it >= 0 } ?: unfit("'$word' is not a number, 0 or more")
+}
+
 /** Planes that cut, each a word. */
 internal class CutValues : ParameterValues<List<CutPlane>>("PLANE") {
     override fun read(word: String): List<CutPlane> =

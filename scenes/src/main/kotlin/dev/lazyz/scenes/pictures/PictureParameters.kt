@@ -69,6 +69,20 @@ public object PictureParameters {
         file = "has no animation",
     )
 
+    /** The name of a variant. */
+    @JvmField
+    public val VARIANT: PictureParameter<String> = row(
+        "variant", TextValues("NAME"), "Show the model with the materials of this variant (glTF)", "the usual materials",
+        file = "has materials of its own",
+    )
+
+    /** The number of a scene of the model. */
+    @JvmField
+    public val SCENE: PictureParameter<Int> = row(
+        "scene", ScenesValues(), "Show this scene of the model (glTF), from 0", "the model's default scene",
+        file = "is a scene",
+    )
+
     init {
         group = ParameterGroup.PICTURE
     }

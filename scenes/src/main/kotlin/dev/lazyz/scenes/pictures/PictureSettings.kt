@@ -210,9 +210,10 @@ public class PictureSettings private constructor(
     internal fun firstGiven(vararg parameters: PictureParameter<*>?): String? =
         parameters.firstOrNull { it in given }?.let { names.of(it!!) }
 
-    /** Returns how to read the file, within [limits]: at the [PictureParameters.ANIMATION_TIME]. */
+    /** Returns how to read the file, within [limits]: its scene, variant and moment. */
     public fun loadOptions(limits: LoadLimits): LoadOptions =
         LoadOptions(limits, this[PictureParameters.ANIMATION_TIME])
+            .withVariant(this[PictureParameters.VARIANT]).withSceneNumber(this[PictureParameters.SCENE])
 
     /**
      * Checks that no two parameters exclude each other:

@@ -1,11 +1,14 @@
 package dev.lazyz.scenes.scenefile
 
+import dev.lazyz.Rgba
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.html.Html
 import dev.lazyz.scenes.images.TextureFiles
+import dev.lazyz.scenes.json.JsonMembers
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.writers.PngSink
+import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.NormalMap
@@ -64,7 +67,7 @@ internal class MaterialReader(source: Source) {
     }
 
     private fun model(node: JsonNode): MetallicRoughness {
-        val members = node.members("metallic", "roughness", "map")
+        val members = node.members("metallic", "roughness", "map", "specular", "sheen", "clearcoat", "transmission")
         val plain = MetallicRoughness()
         val map = members["map"]?.let { textures.read(it, Texture.Encoding.LINEAR) }
         return node.checked {
@@ -72,9 +75,57 @@ internal class MaterialReader(source: Source) {
                 members["metallic"]?.float() ?: plain.metallic,
                 members["roughness"]?.float() ?: plain.roughness,
                 map,
+                lobes(members),
             )
         }
     }
+
+    private fun lobes(members: JsonMembers): Lobes? {
+        val specular = members["specular"]?.let { node ->
+            val m = node.members("strength", "color", "refraction", "strengthMap", "colorMap")
+            val (strengths, colors) = numbers(m["strengthMap"]) to colors(m["colorMap"])
+            node.checked {
+                Lobes.Specular(
+                    m["strength"]?.float() ?: 1f, m["color"]?.let(ColorReader::read) ?: Rgba.WHITE,
+                    m["refraction"]?.float() ?: 1.5f, strengths, colors,
+                )
+            }
+        }
+        val sheen = members["sheen"]?.let { node ->
+            val m = node.members("color", "roughness", "colorMap", "roughnessMap")
+            val (colors, roughness) = colors(m["colorMap"]) to numbers(m["roughnessMap"])
+            val color = ColorReader.read(m.required("color"))
+            node.checked { Lobes.Sheen(color, m["roughness"]?.float() ?: 0f, colors, roughness) }
+        }
+        val clearcoat = members["clearcoat"]?.let { node ->
+            val m = node.members("strength", "roughness", "strengthMap", "roughnessMap", "normalMap")
+            val (strengths, roughness) = numbers(m["strengthMap"]) to numbers(m["roughnessMap"])
+            val normals = m["normalMap"]?.let(::normalMap)
+            node.checked {
+                Lobes.Clearcoat(
+                    m["strength"]?.float() ?: 1f, m["roughness"]?.float() ?: 0f, strengths, roughness, normals,
+                )
+            }
+        }
+        val transmission = members["transmission"]?.let { node ->
+            val m = node.members(
+                "strength", "strengthMap", "thickness", "thicknessMap", "attenuationColor", "attenuationDistance",
+            )
+            val (strengths, thickness) = numbers(m["strengthMap"]) to numbers(m["thicknessMap"])
+            node.checked {
+                Lobes.Transmission(
+                    m["strength"]?.float() ?: 1f, strengths, m["thickness"]?.float() ?: 0f, thickness,
+                    m["attenuationColor"]?.let(ColorReader::read) ?: Rgba.WHITE,
+                    m["attenuationDistance"]?.float() ?: Float.POSITIVE_INFINITY,
+                )
+            }
+        }
+        return Lobes(specular, sheen, clearcoat, transmission).takeIf { it != Lobes() }
+    }
+
+    private fun numbers(node: JsonNode?) = node?.let { textures.read(it, Texture.Encoding.LINEAR) }
+
+    private fun colors(node: JsonNode?) = node?.let { textures.read(it, Texture.Encoding.SRGB) }
 
     private fun normalMap(node: JsonNode): NormalMap? {
         val members = node.members("map", "scale")

@@ -3,7 +3,9 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.json.JsonWriter
+import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.material.TextureMap
@@ -60,14 +62,10 @@ internal class MaterialWriter(materials: Iterable<Material>) {
                 key("metallic").float(model.metallic)
                 key("roughness").float(model.roughness)
                 model.map?.let { TextureMapWriter.write(key("map"), it, Texture.Encoding.LINEAR) }
+                model.lobes?.let { LobesWriter.write(this, it) }
             }
         }
-        material.normalMap?.let { normals ->
-            key("normalMap").members {
-                key("scale").float(normals.scale)
-                TextureMapWriter.write(key("map"), normals.map, Texture.Encoding.LINEAR)
-            }
-        }
+        material.normalMap?.let { normalMap(it) }
         material.occlusionMap?.let { occlusion ->
             key("occlusionMap").members {
                 key("strength").float(occlusion.strength)
@@ -98,6 +96,60 @@ internal class MaterialWriter(materials: Iterable<Material>) {
 
         override fun toString(): String = material.toString()
     }
+}
+
+/** Writes a normal map with its key. */
+internal fun JsonWriter.normalMap(normals: NormalMap) = key("normalMap").members {
+    key("scale").float(normals.scale)
+    TextureMapWriter.write(key("map"), normals.map, Texture.Encoding.LINEAR)
+}
+
+/** Writes the lobes of a material, each as an object with all its numbers, colours and maps. */
+internal object LobesWriter {
+    fun write(out: JsonWriter, lobes: Lobes) = with(out) {
+        lobes.specular?.run {
+            key("specular").members {
+                key("strength").float(strength)
+                key("color").color(color)
+                key("refraction").float(refraction)
+                strengthMap?.let { numbers("strengthMap", it) }
+                colorMap?.let { colors("colorMap", it) }
+            }
+        }
+        lobes.sheen?.run {
+            key("sheen").members {
+                key("color").color(color)
+                key("roughness").float(roughness)
+                colorMap?.let { colors("colorMap", it) }
+                roughnessMap?.let { numbers("roughnessMap", it) }
+            }
+        }
+        lobes.clearcoat?.run {
+            key("clearcoat").members {
+                key("strength").float(strength)
+                key("roughness").float(roughness)
+                strengthMap?.let { numbers("strengthMap", it) }
+                roughnessMap?.let { numbers("roughnessMap", it) }
+                normalMap?.let { normalMap(it) }
+            }
+        }
+        lobes.transmission?.run {
+            key("transmission").members {
+                key("strength").float(strength)
+                strengthMap?.let { numbers("strengthMap", it) }
+                key("thickness").float(thickness)
+                thicknessMap?.let { numbers("thicknessMap", it) }
+                key("attenuationColor").color(attenuationColor)
+                if (attenuationDistance.isFinite()) key("attenuationDistance").float(attenuationDistance)
+            }
+        }
+    }
+
+    private fun JsonWriter.numbers(name: String, map: TextureMap) =
+        TextureMapWriter.write(key(name), map, Texture.Encoding.LINEAR)
+
+    private fun JsonWriter.colors(name: String, map: TextureMap) =
+        TextureMapWriter.write(key(name), map, Texture.Encoding.SRGB)
 }
 
 /** Writes a colour in linear light. Alpha is omitted if it is 1. */

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.scenefile
 
+import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.TextureMap
 
@@ -9,8 +10,22 @@ internal object MaterialFields {
         listOf(baseColor, shading, specular, shininess, emission, alphaMode, alphaCutoff, sides, name, shader) +
             map(textureMap) + map(emissionMap) +
             listOf(metallicRoughness?.metallic, metallicRoughness?.roughness, map(metallicRoughness?.map)) +
+            lobes(metallicRoughness?.lobes) +
             listOf(normalMap?.scale, map(normalMap?.map), occlusionMap?.strength, map(occlusionMap?.map))
     }
+
+    private fun lobes(lobes: Lobes?): List<Any?> = listOf(
+        lobes?.specular?.run { listOf(strength, color, refraction, map(strengthMap), map(colorMap)) },
+        lobes?.sheen?.run { listOf(color, roughness, map(colorMap), map(roughnessMap)) },
+        lobes?.clearcoat?.run {
+            listOf(strength, roughness, map(strengthMap), map(roughnessMap), normalMap?.scale, map(normalMap?.map))
+        },
+        lobes?.transmission?.run {
+            listOf(
+                strength, map(strengthMap), thickness, map(thicknessMap), attenuationColor, attenuationDistance,
+            )
+        },
+    )
 
     private fun map(map: TextureMap?): List<Any?>? = map?.texture?.run {
         val texels = List(width * height) { texel(it % width, it / width) }

@@ -14,6 +14,7 @@ import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.Viewpoint
+import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
@@ -123,12 +124,28 @@ internal class RandomScenes(seed: Long) {
             if (random.nextInt(4) == 0) Tint(random.nextInt()) else null, name(),
         ).withTextureMap(map())
             .withMetallicRoughness(
-                if (random.nextBoolean()) MetallicRoughness(random.nextFloat(), random.nextFloat(), map()) else null,
+                if (random.nextBoolean()) {
+                    MetallicRoughness(random.nextFloat(), random.nextFloat(), map(), if (random.nextBoolean()) lobes() else null)
+                } else {
+                    null
+                },
             )
             .withNormalMap(map()?.let { NormalMap(it, random.nextFloat()) })
             .withOcclusionMap(map()?.let { OcclusionMap(it, random.nextFloat()) })
             .withEmissionMap(map())
     }
+
+    private fun lobes() = Lobes(
+        Lobes.Specular(random.nextFloat(), color(), 1f + random.nextFloat(), map(), map()),
+        if (random.nextBoolean()) Lobes.Sheen(color(), random.nextFloat(), map(), map()) else null,
+        Lobes.Clearcoat(
+            random.nextFloat(), random.nextFloat(), map(), map(), map()?.let { NormalMap(it, random.nextFloat()) },
+        ),
+        Lobes.Transmission(
+            random.nextFloat(), map(), random.nextFloat(), map(), color(),
+            if (random.nextBoolean()) 1f + random.nextFloat() else Float.POSITIVE_INFINITY,
+        ),
+    )
 
     private fun map(): TextureMap? = when (random.nextInt(3)) {
         0 -> null

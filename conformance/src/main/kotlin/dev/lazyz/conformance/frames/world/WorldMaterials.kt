@@ -7,6 +7,7 @@ import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
 import dev.lazyz.conformance.cases.oneOf
 import dev.lazyz.scenes.Tint
+import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
@@ -120,12 +121,18 @@ internal object WorldMaps {
     }
 
     private fun models(): Arbitrary<MaterialChange> = Combinators
-        .combine(oneOf(0f, 1f, 0.5f), oneOf(0.5f, 1f, 0.25f, 0f), maybe(2, 1, WorldTextures.numbers()))
-        .`as` { metallic, roughness, maps ->
+        .combine(
+            oneOf(0f, 1f, 0.5f), oneOf(0.5f, 1f, 0.25f, 0f), maybe(2, 1, WorldTextures.numbers()),
+            maybe(1, 1, WorldLobes.any()),
+        )
+        .`as` { metallic, roughness, maps, manyLobes ->
             val map = maps.firstOrNull()
-            val words = listOfNotNull(code(metallic), code(roughness), map?.code)
+            val lobes = manyLobes.firstOrNull()
+            val words = listOfNotNull(
+                code(metallic), code(roughness), map?.code, lobes?.let { "lobes = ${it.code}" },
+            )
             MaterialChange(
-                { it.withMetallicRoughness(MetallicRoughness(metallic, roughness, map?.value)) },
+                { it.withMetallicRoughness(MetallicRoughness(metallic, roughness, map?.value, lobes?.value)) },
                 ".withMetallicRoughness(MetallicRoughness(${words.joinToString()}))",
             )
         }
@@ -157,6 +164,49 @@ internal object WorldMaps {
     /** Generates no element or one, with these weights. */
     private fun <T : Any> maybe(none: Int, one: Int, elements: Arbitrary<T>): Arbitrary<List<T>> =
         mixed(none to Arbitraries.just(listOf<T>()), one to elements.map { listOf(it) })
+}
+
+/** Generates lobes without maps. */
+internal object WorldLobes {
+    private val strengths = oneOf(1f, 0.5f, 0f)
+    private val roughness = oneOf(0.5f, 1f, 0.25f, 0f)
+
+    /** Generates any lobes. Shrinks to none. */
+    fun any(): Arbitrary<Coded<Lobes>> = Combinators.combine(
+        orNone(speculars()), orNone(sheens()), orNone(clearcoats()), orNone(transmissions()),
+    ).`as` { specular, sheen, clearcoat, transmission ->
+        val words = listOf(specular, sheen, clearcoat, transmission).map { it.code }
+        Coded(
+            Lobes(specular.value, sheen.value, clearcoat.value, transmission.value),
+            words.joinToString(", ", "Lobes(", ")"),
+        )
+    }
+
+    private fun speculars() =
+        Combinators.combine(strengths, WorldMaterials.colors, oneOf(1.5f, 1f, 2.5f, 0f)).`as` { strength, color, index ->
+            Coded(Lobes.Specular(strength, color, index), "Specular(${code(strength)}, ${code(color)}, ${code(index)})")
+        }
+
+    private fun sheens() = Combinators.combine(WorldMaterials.colors, roughness).`as` { color, roughness ->
+        Coded(Lobes.Sheen(color, roughness), "Sheen(${code(color)}, ${code(roughness)})")
+    }
+
+    private fun clearcoats() = Combinators.combine(strengths, roughness).`as` { strength, roughness ->
+        Coded(Lobes.Clearcoat(strength, roughness), "Clearcoat(${code(strength)}, ${code(roughness)})")
+    }
+
+    private fun transmissions() =
+        Combinators.combine(strengths, oneOf(0f, 1f), WorldMaterials.colors).`as` { strength, thickness, color ->
+            Coded(
+                Lobes.Transmission(strength, null, thickness, null, color, 2f),
+                "Transmission(${code(strength)}, null, ${code(thickness)}, null, ${code(color)}, 2f)",
+            )
+        }
+
+    private fun <T : Any> orNone(lobes: Arbitrary<Coded<T>>): Arbitrary<Coded<T?>> = mixed(
+        1 to Arbitraries.just(Coded<T?>(null, "null")),
+        1 to lobes.map { Coded<T?>(it.value, "Lobes.${it.code}") },
+    )
 }
 
 /** Generates small textures with every filter, and how they are laid on surfaces. */

@@ -133,6 +133,10 @@ internal class GltfObject(
     /** Returns the objects of extensions by their names, or null. */
     fun extensions(): Map<*, *>? = members["extensions"]?.let { membersOf(it, place("extensions")) }
 
+    /** Returns what [make] makes of the object of the extension [name], or null. */
+    fun <T : Any> extension(name: String, make: (GltfObject) -> T): T? =
+        extensions()?.get(name)?.let { make(child(it, "${place("extensions")}.$name")) }
+
     private fun child(value: Any, where: String) = GltfObject(warnings, where, membersOf(value, where))
 
     private fun membersOf(value: Any, where: String): Map<*, *> =

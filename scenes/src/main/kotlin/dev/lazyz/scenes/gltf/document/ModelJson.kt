@@ -1,5 +1,7 @@
 package dev.lazyz.scenes.gltf.document
 
+import dev.lazyz.scenes.gltf.materials.GltfLobes
+
 /** An object that can have extensions. */
 internal abstract class ExtensibleJson(json: GltfObject?) {
     private val extensions: Map<*, *>? = json?.extensions()
@@ -29,7 +31,14 @@ internal class ModelJson(json: GltfObject) : ExtensibleJson(json) {
     val buffers: List<BufferJson?> = json.all("buffers", ::BufferJson)
     val extensionsUsed: List<String> = json.texts("extensionsUsed")
     val extensionsRequired: List<String> = json.texts("extensionsRequired")
+
+    /** The names of the variants of the model. */
+    val variants: List<String?> =
+        json.extension(VARIANTS) { extension -> extension.all("variants") { it.text("name").orEmpty() } }.orEmpty()
 }
+
+/** The extension by which materials have variants. */
+internal const val VARIANTS: String = "KHR_materials_variants"
 
 internal class SceneJson(json: GltfObject) {
     val nodes: List<Int?> = json.references("nodes").orEmpty()
@@ -59,7 +68,14 @@ internal class PrimitiveJson(json: GltfObject) : ExtensibleJson(json) {
     val attributes: Map<String, Int?> = json.referencesByName("attributes").orEmpty()
     val indices: Int? = json.whole("indices")
     val material: Int? = json.whole("material")
+    val variants: List<VariantJson?> = json.extension(VARIANTS) { it.all("mappings", ::VariantJson) }.orEmpty()
     val targets: List<Map<String, Int?>?> = json.listOfReferencesByName("targets").orEmpty()
+}
+
+/** Which material a primitive has in some variants of the model. */
+internal class VariantJson(json: GltfObject) {
+    val material: Int? = json.whole("material")
+    val variants: List<Int?> = json.references("variants").orEmpty()
 }
 
 internal class SkinJson(json: GltfObject) {
@@ -117,6 +133,45 @@ internal class MaterialJson(json: GltfObject?) : ExtensibleJson(json) {
     val alphaMode: String? = json?.word("alphaMode", "OPAQUE", "MASK", "BLEND")
     val alphaCutoff: Float? = json?.number("alphaCutoff", least = 0f)
     val doubleSided: Boolean? = json?.flag("doubleSided")
+    val specular: SpecularJson? = json?.extension(GltfLobes.SPECULAR, ::SpecularJson)
+    val sheen: SheenJson? = json?.extension(GltfLobes.SHEEN, ::SheenJson)
+    val clearcoat: ClearcoatJson? = json?.extension(GltfLobes.CLEARCOAT, ::ClearcoatJson)
+    val transmission: TransmissionJson? = json?.extension(GltfLobes.TRANSMISSION, ::TransmissionJson)
+    val volume: VolumeJson? = json?.extension(GltfLobes.VOLUME, ::VolumeJson)
+}
+
+internal class SpecularJson(json: GltfObject) {
+    val factor: Float? = json.fraction("specularFactor")
+    val texture: TextureInfoJson? = json.one("specularTexture", ::TextureInfoJson)
+    val colorFactor: FloatArray? = json.floats("specularColorFactor", 3)
+    val colorTexture: TextureInfoJson? = json.one("specularColorTexture", ::TextureInfoJson)
+}
+
+internal class SheenJson(json: GltfObject) {
+    val colorFactor: FloatArray? = json.fractions("sheenColorFactor", 3)
+    val colorTexture: TextureInfoJson? = json.one("sheenColorTexture", ::TextureInfoJson)
+    val roughnessFactor: Float? = json.fraction("sheenRoughnessFactor")
+    val roughnessTexture: TextureInfoJson? = json.one("sheenRoughnessTexture", ::TextureInfoJson)
+}
+
+internal class ClearcoatJson(json: GltfObject) {
+    val factor: Float? = json.fraction("clearcoatFactor")
+    val texture: TextureInfoJson? = json.one("clearcoatTexture", ::TextureInfoJson)
+    val roughnessFactor: Float? = json.fraction("clearcoatRoughnessFactor")
+    val roughnessTexture: TextureInfoJson? = json.one("clearcoatRoughnessTexture", ::TextureInfoJson)
+    val normalTexture: NormalTextureJson? = json.one("clearcoatNormalTexture", ::NormalTextureJson)
+}
+
+internal class TransmissionJson(json: GltfObject) {
+    val factor: Float? = json.fraction("transmissionFactor")
+    val texture: TextureInfoJson? = json.one("transmissionTexture", ::TextureInfoJson)
+}
+
+internal class VolumeJson(json: GltfObject) {
+    val thicknessFactor: Float? = json.number("thicknessFactor", least = 0f)
+    val thicknessTexture: TextureInfoJson? = json.one("thicknessTexture", ::TextureInfoJson)
+    val attenuationDistance: Float? = json.number("attenuationDistance", above = 0f)
+    val attenuationColor: FloatArray? = json.fractions("attenuationColor", 3)
 }
 
 internal class MetallicRoughnessJson(json: GltfObject) {

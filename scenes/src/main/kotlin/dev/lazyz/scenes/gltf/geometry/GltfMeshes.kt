@@ -75,7 +75,8 @@ internal class GltfMeshes(
         val count = positions.size / 3
         document.source.loading.vertices(document.source, count.toLong())
         val normals = vertices.floats("NORMAL", ElementType.VEC3)
-        val material = materials.material(primitive.material, "$where.material")
+        val number = material(primitive)
+        val material = materials.material(number, "$where.material")
         val sets = material.texCoordSets.map { "TEXCOORD_$it" }
         val uvs = sets.map { vertices.floats(it, ElementType.VEC2) }
         vertices.countUnused(sets)
@@ -84,7 +85,7 @@ internal class GltfMeshes(
         for ((set, numbers) in sets.zip(uvs)) vertices.checkCount(numbers, 2, count, "$here.$set")
         val indices = indices(vertices, count, where)
         if (mode < GltfTriangles.TRIANGLES) {
-            val own = if (primitive.material == null) null else material.material
+            val own = if (number == null) null else material.material
             if (mode == GltfPoints.POINTS) {
                 document.source.loading.vertices(document.source, indices.size.toLong())
             } else {
@@ -100,12 +101,25 @@ internal class GltfMeshes(
             uvs.getOrNull(0),
             colors,
             uvs2 = uvs.getOrNull(1),
-            tangents = if (normals == null || material.material.normalMap == null) {
+            tangents = if (normals == null || material.material.tangentMap == null) {
                 null
             } else {
                 tangents(vertices, count, here)
             },
         )
+    }
+
+    /** Returns the number of the material of [primitive], in the variant that was asked for. */
+    private fun material(primitive: PrimitiveJson): Int? {
+        val name = document.source.loading.options.variant ?: return primitive.material
+        val names = document.json.variants
+        val variant = names.indexOf(name)
+        if (variant < 0) {
+            val known = names.take(MOST_SHOWN).joinToString { "\"$it\"" }
+            val remedy = if (names.isEmpty()) "choose none" else "choose one of $known"
+            document.source.fail(null, "there is no variant \"$name\"", remedy)
+        }
+        return primitive.variants.firstOrNull { it != null && variant in it.variants }?.material ?: primitive.material
     }
 
     private fun tangents(vertices: GltfVertices, count: Int, here: String): FloatArray? {
@@ -125,8 +139,8 @@ internal class GltfMeshes(
      * would belong to (section 3.7.2.1), they are computed now, because this may split vertices.
      */
     private fun withTangents(surface: Surface): Surface {
-        val normals = (surface as? Mesh)?.material?.normalMap ?: return surface
-        return if (surface.tangents != null) surface else surface.withTangents(normals.map.uvSet, normals.map.transform)
+        val map = (surface as? Mesh)?.material?.tangentMap ?: return surface
+        return if (surface.tangents != null) surface else surface.withTangents(map.uvSet, map.transform)
     }
 
     private fun indices(vertices: GltfVertices, count: Int, where: String): IntArray {
@@ -153,6 +167,9 @@ internal class GltfMeshes(
     private companion object {
         /** Memory for the objects of a surface without its numbers. */
         const val SURFACE_BYTES = 512L
+
+        /** Names of variants in a message. */
+        const val MOST_SHOWN = 20
     }
 }
 

@@ -25,7 +25,7 @@ internal class PlacedNode(
     val isVisible: Boolean,
 )
 
-/** Walks the nodes of the default scene (section 3.5). */
+/** Walks the nodes of the scene that was asked for, or of the default scene (section 3.5). */
 internal class GltfNodes(private val document: GltfDocument, private val poses: Map<Int, NodePose>) {
     private val nodes = document.json.nodes
     private val rootToWorld = RelativeToCenter.toWorld(document)
@@ -100,9 +100,14 @@ internal class GltfNodes(private val document: GltfDocument, private val poses: 
     }
 
     private fun roots(): List<Pair<Int, String>> {
-        val index = document.json.scene
+        val wanted = document.source.loading.options.sceneNumber
+        val index = wanted ?: document.json.scene
         if (index != null) {
-            val scene = document.element(document.json.scenes, index, "scenes", "scene")
+            val scenes = document.json.scenes
+            if (wanted != null && wanted >= scenes.size) {
+                document.source.fail("scenes", "there is no scene $wanted; there are ${scenes.size}", "choose another")
+            }
+            val scene = document.element(scenes, index, "scenes", "scene")
             return scene.nodes.mapIndexed { i, node ->
                 document.source.step()
                 Pair(node ?: -1, "scenes[$index].nodes[$i]")

@@ -5,6 +5,7 @@ import dev.lazyz.scenes.gltf.document.ExtensionValues
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.document.MaterialJson
 import dev.lazyz.scenes.gltf.document.TextureInfoJson
+import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
@@ -26,7 +27,7 @@ import kotlin.math.round
 internal class GltfMaterial(val material: Material, val texCoordSets: List<Int>)
 
 /**
- * Converts materials (section 3.9): to metallic-roughness materials, or with `KHR_materials_unlit` to
+ * Converts materials (section 3.9): to metallic-roughness materials with [GltfLobes], or with `KHR_materials_unlit` to
  * [Shading.CONSTANT]. Factors are already linear.
  *
  * A classical look is added, for callers who remove the metallic-roughness model to see another shading:
@@ -81,13 +82,20 @@ internal class GltfMaterials(private val document: GltfDocument) {
         val occlusionMap = maps.map(json.occlusionTexture, Texture.Encoding.LINEAR, "$where.occlusionTexture")
         val occlusionStrength = json.occlusionTexture?.strength ?: 1f
         val emissionMap = maps.map(json.emissiveTexture, Texture.Encoding.SRGB, "$where.emissiveTexture")
-        val material = plain
-            .withMetallicRoughness(MetallicRoughness(metallic, roughness, modelMap))
+        val lobes = GltfLobes(json, maps, where).read()
+        val material = glass(plain, lobes)
+            .withMetallicRoughness(MetallicRoughness(metallic, roughness, modelMap, lobes))
             .withNormalMap(normalMap?.let { NormalMap(it, normalScale) })
             .withOcclusionMap(occlusionMap?.let { OcclusionMap(it, occlusionStrength) })
             .withEmission(emission(json))
             .withEmissionMap(emissionMap)
         return GltfMaterial(material, maps.texCoordSets)
+    }
+
+    /** Returns [material] as a translucent one if light passes and its alpha has no meaning of its own. */
+    private fun glass(material: Material, lobes: Lobes?): Material {
+        if (lobes?.transmission == null || material.alphaMode != AlphaMode.OPAQUE) return material
+        return material.withAlphaMode(AlphaMode.BLEND).withBaseColor(material.baseColor.withAlpha(1f))
     }
 
     private fun shininess(roughness: Float): Int {

@@ -4,6 +4,7 @@ import de.javagl.obj.FloatTuple
 import de.javagl.obj.Mtl
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.loading.Source
+import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
@@ -44,7 +45,8 @@ internal class MtlMaterial(
  *
  * `norm` is a normal map, and `bump` or `map_bump` an image of heights, see [HeightNormals]; `map_Ke` multiplies `Ke`,
  * or white if `Ke` is black or missing. A material with `Pm`, `Pr`, `map_Pm` or `map_Pr` (C. Hery et al., the extension
- * of MTL for physically based rendering, 2013) is a metallic-roughness material. A map replaces its number. Without
+ * of MTL for physically based rendering, 2013) is a metallic-roughness material; so is one with a clear coat, `Pc` with the
+ * roughness `Pcr`, or sheen, `Ps`. A map replaces its number. Without
  * both, a material is no metal, and its roughness is `(2 / (Ns + 2))^(1/4)`.
  *
  * @param folders folders to search for textures, in order
@@ -53,7 +55,8 @@ internal class MtlMaterials(private val source: Source, folders: List<Path>) {
     private val textures = MtlTextures(source, folders)
 
     /**
-     * Returns the material of [mtl] with the texture statements [maps] and the numbers [model], `pm` and `pr`.
+     * Returns the material of [mtl] with the texture statements [maps] and the numbers [model], such as
+     * `pm`.
      * [hasOpacity] is true if the entry has a `d`.
      */
     fun material(mtl: Mtl, maps: Map<String, MtlMap>, hasOpacity: Boolean, model: Map<String, Float>): MtlMaterial {
@@ -121,15 +124,26 @@ internal class MtlMaterials(private val source: Source, folders: List<Path>) {
     private fun model(mtl: Mtl, maps: Map<String, MtlMap>, numbers: Map<String, Float>): MetallicRoughness? {
         val roughnessMap = maps["map_pr"]
         val metallicMap = maps["map_pm"]
-        if (numbers.isEmpty() && roughnessMap == null && metallicMap == null) return null
+        val lobes = lobes(numbers)
+        val isClassical = lobes == null && "pm" !in numbers && "pr" !in numbers
+        if (isClassical && roughnessMap == null && metallicMap == null) return null
         val exponent = mtl.ns?.takeIf { it.isFinite() && it >= 0f } ?: DEFAULT_SHININESS.toFloat()
         val ofHighlight = StrictMath.sqrt(StrictMath.sqrt(2.0 / (exponent + 2.0))).toFloat()
         val roughness = if (roughnessMap != null) 1f else numbers["pr"] ?: ofHighlight
         val metallic = if (metallicMap != null) 1f else numbers["pm"] ?: 0f
-        return MetallicRoughness(metallic, roughness, textures.model(roughnessMap, metallicMap, maps["map_kd"]))
+        return MetallicRoughness(metallic, roughness, textures.model(roughnessMap, metallicMap, maps["map_kd"]), lobes)
+    }
+
+    private fun lobes(numbers: Map<String, Float>): Lobes? {
+        val coat = numbers["pc"]?.takeIf { it > 0f }?.let { Lobes.Clearcoat(it, numbers["pcr"] ?: 0f) }
+        val sheen = numbers["ps"]?.takeIf { it > 0f }?.let { Lobes.Sheen(Rgba(it, it, it), SHEEN_ROUGHNESS) }
+        return Lobes(sheen = sheen, clearcoat = coat).takeIf { it != Lobes() }
     }
 
     private companion object {
         const val DEFAULT_SHININESS = 32
+
+        /** MTL has no word for it. */
+        const val SHEEN_ROUGHNESS = 0.5f
     }
 }

@@ -24,7 +24,7 @@ internal class MtlStatements(private val library: Source) : BufferedReader(Reade
     /** For each `newmtl` so far, whether it has a `d`. */
     val haveOpacity = ArrayList<Boolean>()
 
-    /** For each `newmtl` so far, its numbers `pm` and `pr`, as far as they are given. */
+    /** For each `newmtl` so far, its numbers `pm`, `pr`, `pc`, `pcr` and `ps`, as far as they are given. */
     val model = ArrayList<HashMap<String, Float>>()
 
     /** The statement that was returned last. */
@@ -85,7 +85,7 @@ internal class MtlStatements(private val library: Source) : BufferedReader(Reade
             "d" -> numbers().also { haveOpacity[haveOpacity.size - 1] = true }
             "tr" -> numbers().takeUnless { haveOpacity.last() }
             "kd", "ks", "ke", "ns", "illum" -> numbers()
-            "pm", "pr" -> null.also { setModel(keyword) }
+            "pm", "pr", "pc", "pcr", "ps" -> null.also { setModel(keyword) }
             in USED_MAPS -> null.also { current[keyword] = MtlMap.parse(statement.substring(keyword.length)) }
             else -> null.also { setUnused(keyword) }
         }
@@ -128,12 +128,12 @@ internal class MtlStatements(private val library: Source) : BufferedReader(Reade
         val MAPS = setOf("decal", "disp", "refl")
 
         /**
-         * Keywords of numbers that are not rendered, each with the number that changes nothing: clear coat, its
-         * roughness, sheen, anisotropy, its rotation, and the colour of transmitted light.
+         * Keywords of numbers that are not rendered, each with the number that changes nothing: anisotropy, its
+         * rotation, and the colour of transmitted light.
          */
-        val NEUTRAL = mapOf("pc" to 0f, "pcr" to 0f, "ps" to 0f, "aniso" to 0f, "anisor" to 0f, "tf" to 1f)
+        val NEUTRAL = mapOf("aniso" to 0f, "anisor" to 0f, "tf" to 1f)
 
         /** Those that modify another. */
-        val MODIFIED = mapOf("pcr" to "pc", "anisor" to "aniso")
+        val MODIFIED = mapOf("anisor" to "aniso")
     }
 }

@@ -1,6 +1,10 @@
 package dev.lazyz.scenes.gltf.materials
 
 import dev.lazyz.Rgba
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.gltf.GltfFiles
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
@@ -9,11 +13,13 @@ import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
+import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap.UvTransform
 import dev.lazyz.world.surface.Mesh
@@ -23,6 +29,7 @@ import java.util.Base64
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -72,6 +79,71 @@ class GltfMaterialsTest {
         val strength = """"KHR_materials_emissive_strength":{"emissiveStrength":4}"""
         val strong = material("""{"emissiveFactor":[1,0.5,0],"extensions":{$strength}}""")
         assertEquals(Rgba(4f, 2f, 0f), strong.emission)
+    }
+
+    private fun lobes(extensions: String, more: String = "") =
+        material("""{"extensions":{$extensions}$more}""", image)
+
+    @Test
+    fun extensionsBecomeLobes() {
+        val texture = """{"index":0}"""
+        val coat = """"clearcoatFactor":0.5,"clearcoatTexture":$texture,"clearcoatRoughnessFactor":0.25"""
+        val normals = """"clearcoatNormalTexture":{"index":0,"scale":2}"""
+        val sheen = """"sheenColorFactor":[1,0.5,0],"sheenRoughnessFactor":0.75,"sheenColorTexture":$texture"""
+        val specular = """"specularFactor":0.5,"specularColorFactor":[2,1,0],"specularTexture":$texture"""
+        val material = lobes(
+            """"KHR_materials_clearcoat":{$coat,$normals},"KHR_materials_sheen":{$sheen},""" +
+                """"KHR_materials_specular":{$specular},"KHR_materials_ior":{"ior":1.25}""",
+        )
+        val lobes = checkNotNull(material.metallicRoughness?.lobes)
+        val numbers = checkNotNull(lobes.clearcoat?.strengthMap)
+        assertEquals(Texture.Encoding.LINEAR, numbers.texture.encoding)
+        assertEquals(Lobes.Clearcoat(0.5f, 0.25f, numbers, null, NormalMap(numbers, 2f)), lobes.clearcoat)
+        val colors = checkNotNull(lobes.sheen?.colorMap)
+        assertEquals(Texture.Encoding.SRGB, colors.texture.encoding)
+        assertEquals(Lobes.Sheen(Rgba(1f, 0.5f, 0f), 0.75f, colors), lobes.sheen)
+        assertEquals(Lobes.Specular(0.5f, Rgba(2f, 1f, 0f), 1.25f, numbers), lobes.specular)
+        assertEquals(numbers, material.tangentMap)
+    }
+
+    @Test
+    fun transmissionMakesGlass() {
+        val volume = """"KHR_materials_volume":{"thicknessFactor":2,"attenuationDistance":4,"attenuationColor":[1,0.5,0]}"""
+        val base = ""","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.5]}"""
+        val glass = lobes(""""KHR_materials_transmission":{"transmissionFactor":0.75},$volume""", base)
+        val expected = Lobes.Transmission(0.75f, null, 2f, null, Rgba(1f, 0.5f, 0f), 4f)
+        assertEquals(Lobes(transmission = expected), glass.metallicRoughness?.lobes)
+        assertEquals(AlphaMode.BLEND to Rgba.WHITE, glass.alphaMode to glass.baseColor)
+    }
+
+    @Test
+    fun extensionsThatChangeNothingAreNoLobes() {
+        val none = """"KHR_materials_clearcoat":{},"KHR_materials_sheen":{"sheenRoughnessFactor":1},""" +
+            """"KHR_materials_specular":{},"KHR_materials_ior":{"ior":1.5},"KHR_materials_transmission":{},""" +
+            """"KHR_materials_volume":{"thicknessFactor":1}"""
+        assertNull(lobes(none).metallicRoughness?.lobes)
+    }
+
+    @Test
+    fun variantsAreChosenByName() {
+        val mapping = """{"mappings":[{"material":1,"variants":[1]}]}"""
+        val files = GltfFiles()
+        files.accessor("VEC3", FLOAT, listOf(0, 0, 0, 1, 0, 0, 0, 1, 0))
+        val part = """{"attributes":{"POSITION":0},"material":0,"extensions":{"KHR_materials_variants":$mapping}}"""
+        val names = """"extensions":{"KHR_materials_variants":{"variants":[{"name":"day"},{"name":"night"}]}}"""
+        val scenes = """"scenes":[{"nodes":[]},{"nodes":[0]}],"scene":1,"nodes":[{"mesh":0}]"""
+        val json = files.json(
+            """$scenes,"meshes":[{"primitives":[$part]}],"materials":[{"name":"a"},{"name":"b"}],$names""",
+        )
+        fun load(options: LoadOptions) = Scenes.load(json.toByteArray(), SceneFormat.GLTF, "test", options)
+        fun name(variant: String?) =
+            (load(LoadOptions().withVariant(variant)).scene.surfaces.single() as Mesh).material.name
+        assertEquals(listOf("a", "a", "b"), listOf(null, "day", "night").map(::name))
+        val unknown = assertThrows(SceneFormatException::class.java) { name("dusk") }
+        assertTrue("\"day\", \"night\"" in unknown.message.orEmpty(), unknown.message)
+        assertEquals(0, load(LoadOptions().withSceneNumber(0)).scene.surfaces.size)
+        val beyond = assertThrows(SceneFormatException::class.java) { load(LoadOptions().withSceneNumber(2)) }
+        assertTrue("there are 2" in beyond.message.orEmpty(), beyond.message)
     }
 
     @Test
@@ -252,7 +324,7 @@ class GltfMaterialsTest {
 
     @Test
     fun requiredExtensionsAreTakenSeriously() {
-        val (_, source) = read("{}", ""","extensionsRequired":["KHR_materials_sheen","KHR_materials_unlit"]""")
-        assertTrue("1 in all: KHR_materials_sheen" in source.warnings.single(), source.warnings.toString())
+        val (_, source) = read("{}", ""","extensionsRequired":["KHR_materials_dispersion","KHR_materials_unlit"]""")
+        assertTrue("1 in all: KHR_materials_dispersion" in source.warnings.single(), source.warnings.toString())
     }
 }

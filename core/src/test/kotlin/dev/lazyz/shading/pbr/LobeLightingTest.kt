@@ -1,0 +1,171 @@
+package dev.lazyz.shading.pbr
+
+import dev.lazyz.Checkpoint
+import dev.lazyz.Raster
+import dev.lazyz.Rgba
+import dev.lazyz.Workers
+import dev.lazyz.spi.Fragment
+import dev.lazyz.world.Camera
+import dev.lazyz.world.Environment
+import dev.lazyz.world.Light
+import dev.lazyz.world.SceneLight
+import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.material.Lobes
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.MetallicRoughness
+import dev.lazyz.world.surface.SetUp
+import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Contract rule 6.16: specular, sheen, clear coat and transmission, compared with the formulas in double precision. */
+class LobeLightingTest {
+    private val eye = Vector3d(0.9, 0.4, 4.0)
+    private val camera = Camera.perspective(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 60.0, 1.0, 10.0)
+    private val n = Vector3d(0.1, -0.2, 1.0).normalize()
+    private val v = Vector3d(eye).normalize()
+    private val l = Vector3d(-0.7, -0.6, 1.0).normalize()
+    private val sun = Light.Directional(Vector3d(l).negate(), Rgba.WHITE)
+    private val color = listOf(0.9, 0.5, 0.125)
+    private val base = Material(Rgba(0.9f, 0.5f, 0.125f))
+
+    /** The linear colour of a point at the world's origin, and its alpha. */
+    private fun seen(material: Material, vararg lights: Light): Rgba {
+        val light = SceneLight(lights.toList(), lights.toList(), Environment.NONE, ToneMapping.NONE, null)
+        val fragment = Fragment()
+        fragment.normalX = n.x.toFloat()
+        fragment.normalY = n.y.toFloat()
+        fragment.normalZ = n.z.toFloat()
+        SetUp(Raster(1, 1), camera, light, Vector3d(), Workers.ALL, Checkpoint.NONE).shader(material).shade(fragment)
+        return Rgba(fragment.red, fragment.green, fragment.blue, fragment.alpha)
+    }
+
+    private fun material(lobes: Lobes?, metallic: Float = 0.25f, roughness: Float = 0.5f) =
+        base.withMetallicRoughness(MetallicRoughness(metallic, roughness, null, lobes))
+
+    private fun assertColor(expected: List<Double>, actual: Rgba) {
+        for ((wanted, got) in expected.zip(listOf(actual.red, actual.green, actual.blue))) {
+            assertEquals(wanted, got.toDouble(), 1e-5 * Math.max(1.0, wanted), "$expected, $actual")
+        }
+    }
+
+    private fun lobe(roughness: Double): Double {
+        val h = Vector3d(l).add(v).normalize()
+        val alpha = roughness * roughness
+        return Math.PI * Appendix.distribution(n.dot(h), alpha) * Appendix.visibility(n.dot(l), n.dot(v), alpha)
+    }
+
+    private fun fifth(cosine: Double) = Math.pow(1.0 - cosine, 5.0)
+
+    @Test
+    fun rule_6_16_whatChangesNothingHasTheSameBits() {
+        val lights = arrayOf(sun, Light.Ambient(Rgba.WHITE))
+        val plain = seen(material(null), *lights)
+        for (lobes in listOf(Lobes(), Lobes(sheen = Lobes.Sheen(Rgba.BLACK)), Lobes(clearcoat = Lobes.Clearcoat(0f)))) {
+            assertEquals(plain, seen(material(lobes), *lights))
+        }
+        val opaque = seen(material(Lobes(transmission = Lobes.Transmission())), sun)
+        assertEquals(seen(material(null), sun), opaque, "only blended materials are glass")
+    }
+
+    @Test
+    fun rule_6_16_specularChangesTheReflectance() {
+        val tint = listOf(1.0, 0.5, 2.0)
+        val actual = seen(material(Lobes(Lobes.Specular(0.75f, Rgba(1f, 0.5f, 2f), 2f))), sun)
+        val h = Vector3d(l).add(v).normalize()
+        val expected = color.zip(tint).map { (c, t) ->
+            val f0 = Math.min(t / 9.0, 1.0) * 0.75 * 0.75 + c * 0.25
+            val f = f0 + (0.75 * 0.75 + 0.25 - f0) * fifth(v.dot(h))
+            n.dot(l) * ((1 - f) * c * 0.75 + f * lobe(0.5))
+        }
+        assertColor(expected, actual)
+    }
+
+    @Test
+    fun rule_6_16_clearCoatsCoverEmissionToo() {
+        val coat = Lobes.Clearcoat(0.8f, 0.25f)
+        val glowing = material(Lobes(clearcoat = coat)).withEmission(Rgba(0f, 2f, 0f))
+        val plain = seen(material(null), sun).run { listOf(red + 0.0, green + 2.0, blue + 0.0) }
+        val weight = 0.8 * (0.04 + 0.96 * fifth(n.dot(v)))
+        assertColor(plain.map { it * (1 - weight) + weight * n.dot(l) * lobe(0.25) }, seen(glowing, sun))
+    }
+
+    @Test
+    fun rule_6_16_sheenIsThatOfFibres() {
+        val sheen = Lobes(sheen = Lobes.Sheen(Rgba(0.25f, 0.5f, 1f), 0.5f))
+        val h = Vector3d(l).add(v).normalize()
+        val alpha = 0.25
+        val sine = Math.sqrt(1 - n.dot(h) * n.dot(h))
+        val d = (2 + 1 / alpha) * Math.pow(sine, 1 / alpha) / 2
+        val (nl, nv) = n.dot(l) to n.dot(v)
+        val kept = 1.0 - albedo(nv, alpha)
+        val plain = seen(material(null), sun).run { listOf(red, green, blue) }
+        val actual = seen(material(sheen), sun).run { listOf(red, green, blue) }
+        for ((i, tint) in listOf(0.25, 0.5, 1.0).withIndex()) {
+            val expected = plain[i] * kept + tint * nl * d / (4 * (nl + nv - nl * nv))
+            assertEquals(expected, actual[i].toDouble(), 0.01, "component $i")
+        }
+    }
+
+    /** The part of uniform light that sheen reflects, by another sum than that of the table. */
+    private fun albedo(nv: Double, alpha: Double): Double {
+        val view = Vector3d(Math.sqrt(1 - nv * nv), 0.0, nv)
+        var sum = 0.0
+        for (i in 0 until 300) {
+            for (k in 0 until 300) {
+                val (angle, turn) = (i + 0.5) / 300 * Math.PI / 2 to (k + 0.5) / 300 * 2 * Math.PI
+                val light = Vector3d(Math.sin(angle) * Math.cos(turn), Math.sin(angle) * Math.sin(turn), Math.cos(angle))
+                val h = Vector3d(light).add(view).normalize()
+                val d = (2 + 1 / alpha) * Math.pow(1 - h.z * h.z, 0.5 / alpha) / (2 * Math.PI)
+                val lobe = d / (4 * (light.z + nv - light.z * nv))
+                sum += lobe * light.z * Math.sin(angle) * (Math.PI / 2 / 300) * (2 * Math.PI / 300)
+            }
+        }
+        return sum
+    }
+
+    @Test
+    fun rule_6_16_furnaceLobesReflectNoMoreThanAllLight() {
+        val white = Material(Rgba.WHITE)
+        for (roughness in listOf(0f, 0.25f, 0.5f, 1f)) {
+            val lobes = Lobes(
+                Lobes.Specular(refraction = 1.8f), Lobes.Sheen(Rgba.WHITE, roughness), Lobes.Clearcoat(1f, roughness),
+            )
+            val model = MetallicRoughness(0f, roughness, null, lobes)
+            val actual = seen(white.withMetallicRoughness(model), Light.Ambient(Rgba.WHITE))
+            assertTrue(actual.red in 0.98f..1.000002f) { "$roughness: $actual" }
+        }
+    }
+
+    @Test
+    fun rule_6_16_glassShowsWhatIsBehindIt() {
+        val window = Lobes(transmission = Lobes.Transmission(1f, null, 2f, null, Rgba(0.5f, 0.25f, 1f), 4f))
+        val clear = Material(Rgba.WHITE, alphaMode = AlphaMode.BLEND)
+            .withMetallicRoughness(MetallicRoughness(0f, 0f, null, window))
+        assertTrue(clear.isTranslucent)
+        assertFalse(clear.withAlphaMode(AlphaMode.OPAQUE).isTranslucent)
+
+        // Half of the thickness after which the colour is left: its square root passes, but for what is reflected
+        val passed = (Math.sqrt(0.5) + 0.5 + 1.0) / 3
+        assertEquals(1 - passed * 0.955, seen(clear).alpha.toDouble(), 0.01)
+        val tinted = seen(clear, Light.Ambient(Rgba.WHITE))
+        val light = listOf(Math.sqrt(0.5), 0.5, 1.0).map { Math.max(it - passed, 0.0) * 0.955 + 0.045 }
+        for ((wanted, got) in light.zip(listOf(tinted.red, tinted.green, tinted.blue))) {
+            assertEquals(wanted, got * tinted.alpha.toDouble(), 0.01)
+        }
+    }
+
+    @Test
+    fun numbersOutOfRangeAreRefused() {
+        val wrong = listOf(
+            { Lobes.Specular(1.5f) }, { Lobes.Specular(refraction = 0.5f) }, { Lobes.Sheen(Rgba.WHITE, -1f) },
+            { Lobes.Clearcoat(2f) }, { Lobes.Clearcoat(roughness = Float.NaN) }, { Lobes.Transmission(-0.1f) },
+            { Lobes.Transmission(thickness = -1f) }, { Lobes.Transmission(attenuationDistance = 0f) },
+        )
+        for (make in wrong) assertThrows(IllegalArgumentException::class.java) { make() }
+    }
+}

@@ -1,0 +1,91 @@
+package dev.lazyz.scenes.gltf.materials
+
+import dev.lazyz.Rgba
+import dev.lazyz.scenes.gltf.document.ExtensionValues
+import dev.lazyz.scenes.gltf.document.MaterialJson
+import dev.lazyz.world.material.Lobes
+import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.Texture.Encoding
+
+/** Reads the extensions of a material that become [Lobes]; those that change nothing count as missing. */
+internal class GltfLobes(private val json: MaterialJson, private val maps: GltfMaps, where: String) {
+    private val here = "$where.extensions"
+
+    /** Returns the lobes of the material, or null if it has none. */
+    fun read(): Lobes? {
+        val lobes = Lobes(specular(), sheen(), clearcoat(), transmission())
+        return lobes.takeIf { it != Lobes() }
+    }
+
+    private fun specular(): Lobes.Specular? {
+        val json = json.specular
+        val refraction = this.json.extension(REFRACTION)?.let { ExtensionValues.number(it, "ior", DEFAULT).toFloat() }
+        val specular = Lobes.Specular(
+            json?.factor ?: 1f,
+            color(json?.colorFactor, Rgba.WHITE),
+            refraction?.takeIf { it == 0f || it >= 1f } ?: DEFAULT.toFloat(),
+            maps.map(json?.texture, Encoding.LINEAR, "$here.$SPECULAR.specularTexture"),
+            maps.map(json?.colorTexture, Encoding.SRGB, "$here.$SPECULAR.specularColorTexture"),
+        )
+        return specular.takeIf { it != Lobes.Specular() }
+    }
+
+    private fun sheen(): Lobes.Sheen? {
+        val json = json.sheen ?: return null
+        val color = color(json.colorFactor, Rgba.BLACK)
+        if (color == Rgba.BLACK) return null
+        return Lobes.Sheen(
+            color,
+            json.roughnessFactor ?: 0f,
+            maps.map(json.colorTexture, Encoding.SRGB, "$here.$SHEEN.sheenColorTexture"),
+            maps.map(json.roughnessTexture, Encoding.LINEAR, "$here.$SHEEN.sheenRoughnessTexture"),
+        )
+    }
+
+    private fun clearcoat(): Lobes.Clearcoat? {
+        val json = json.clearcoat ?: return null
+        val strength = json.factor ?: 0f
+        if (strength == 0f) return null
+        val normals = maps.map(json.normalTexture, Encoding.LINEAR, "$here.$CLEARCOAT.clearcoatNormalTexture")
+        return Lobes.Clearcoat(
+            strength,
+            json.roughnessFactor ?: 0f,
+            maps.map(json.texture, Encoding.LINEAR, "$here.$CLEARCOAT.clearcoatTexture"),
+            maps.map(json.roughnessTexture, Encoding.LINEAR, "$here.$CLEARCOAT.clearcoatRoughnessTexture"),
+            normals?.let { NormalMap(it, json.normalTexture?.scale?.takeIf { scale -> scale.isFinite() } ?: 1f) },
+        )
+    }
+
+    private fun transmission(): Lobes.Transmission? {
+        val json = json.transmission ?: return null
+        val strength = json.factor ?: 0f
+        if (strength == 0f) return null
+        val volume = this.json.volume
+        return Lobes.Transmission(
+            strength,
+            maps.map(json.texture, Encoding.LINEAR, "$here.$TRANSMISSION.transmissionTexture"),
+            volume?.thicknessFactor?.takeIf { it.isFinite() } ?: 0f,
+            maps.map(volume?.thicknessTexture, Encoding.LINEAR, "$here.$VOLUME.thicknessTexture"),
+            color(volume?.attenuationColor, Rgba.WHITE),
+            volume?.attenuationDistance ?: Float.POSITIVE_INFINITY,
+        )
+    }
+
+    private fun color(factors: FloatArray?, missing: Rgba): Rgba {
+        val (red, green, blue) = factors?.map { if (it > 0f && it.isFinite()) it else 0f } ?: return missing
+        return Rgba(red, green, blue)
+    }
+
+    companion object {
+        const val SPECULAR: String = "KHR_materials_specular"
+        const val SHEEN: String = "KHR_materials_sheen"
+        const val CLEARCOAT: String = "KHR_materials_clearcoat"
+        const val TRANSMISSION: String = "KHR_materials_transmission"
+        const val VOLUME: String = "KHR_materials_volume"
+        private const val REFRACTION = "KHR_materials_ior"
+        private const val DEFAULT = 1.5
+
+        /** The extensions that are read. */
+        val NAMES: List<String> = listOf(SPECULAR, SHEEN, CLEARCOAT, TRANSMISSION, VOLUME, REFRACTION)
+    }
+}
