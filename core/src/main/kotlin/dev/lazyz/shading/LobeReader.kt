@@ -71,7 +71,11 @@ internal class LobeReader private constructor(lobes: Lobes, isBlended: Boolean) 
         val surface = fragment.surface
         for (channel in 0 until 3) {
             val tint = component(specular.color, channel) * (texel?.get(channel) ?: 1f)
-            val color = if (channel == 0) red else if (channel == 1) green else blue
+            val color = when (channel) {
+                0 -> red
+                1 -> green
+                else -> blue
+            }
             surface[PhysicalSurface.REFLECTANCE + channel] =
                 minOf(f0 * tint, 1f) * strength * (1f - metallic) + color * metallic
         }

@@ -11,10 +11,11 @@ import java.time.Duration
  *   the last. Null, the default, shows the model at rest, without its animations. Only glTF files have animations
  * @property smoothNormals whether meshes without normals in the file get smooth normals, except at the creases that
  *   the file's format defines. If false, each triangle has its own normal, and reading takes less time and memory
- * @property variant the name of the variant whose materials are shown (`KHR_materials_variants`). Null, the default, shows
- *   the materials without variants. Only glTF files have variants
+ * @property variant the name of the variant whose materials are shown (`KHR_materials_variants`). Null, the default,
+ *   shows the materials without variants. Only glTF files have variants
  * @property sceneNumber the scene of a glTF file that is shown, from 0. Null, the default, shows the default scene
- * @throws IllegalArgumentException if [animationTime] is negative, infinite, or not a number, or [sceneNumber] is negative
+ * @throws IllegalArgumentException if [animationTime] is negative, infinite, or not a number, or [sceneNumber]
+ *   is negative
  */
 public class LoadOptions @JvmOverloads constructor(
     public val limits: LoadLimits = LoadLimits(),

@@ -234,8 +234,8 @@ internal object Fibres {
     fun visibility(cosineL: Float, cosineV: Float): Float = 1f / (4f * (cosineL + cosineV - cosineL * cosineV))
 
     /**
-     * Returns how much of uniform light is reflected at N.V, for a perceptual [roughness], each in 0..1: interpolated in
-     * a table that is computed once.
+     * Returns how much of uniform light is reflected at N.V, for a perceptual [roughness], each in 0..1: interpolated
+     * in a table that is computed once.
      */
     fun albedo(cosine: Float, roughness: Float): Float {
         val x = cosine * (SIZE - 1)

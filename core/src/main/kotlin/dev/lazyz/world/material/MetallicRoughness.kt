@@ -38,5 +38,5 @@ public class MetallicRoughness @JvmOverloads constructor(
 
     override fun hashCode(): Int = listOf(metallic, roughness, map, lobes).hashCode()
 
-    override fun toString(): String = "MetallicRoughness($metallic, $roughness, $map${lobes?.let { ", $it" }.orEmpty()})"
+    override fun toString(): String = "MetallicRoughness($metallic, $roughness, $map, $lobes)"
 }

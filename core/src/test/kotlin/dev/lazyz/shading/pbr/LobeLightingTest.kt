@@ -118,7 +118,8 @@ class LobeLightingTest {
         for (i in 0 until 300) {
             for (k in 0 until 300) {
                 val (angle, turn) = (i + 0.5) / 300 * Math.PI / 2 to (k + 0.5) / 300 * 2 * Math.PI
-                val light = Vector3d(Math.sin(angle) * Math.cos(turn), Math.sin(angle) * Math.sin(turn), Math.cos(angle))
+                val light =
+                    Vector3d(Math.sin(angle) * Math.cos(turn), Math.sin(angle) * Math.sin(turn), Math.cos(angle))
                 val h = Vector3d(light).add(view).normalize()
                 val d = (2 + 1 / alpha) * Math.pow(1 - h.z * h.z, 0.5 / alpha) / (2 * Math.PI)
                 val lobe = d / (4 * (light.z + nv - light.z * nv))

@@ -28,11 +28,11 @@ import dev.lazyz.world.Scene
  * Reads glTF 2.0, as JSON (`.gltf`) or as one binary file (`.glb`). The content decides which of the two it is (Khronos
  * Group, "glTF 2.0 Specification", version 2.0.1; section numbers in this package refer to that document).
  *
- * It reads the scene that was asked for, or the default scene, or all nodes without a parent if there is none: node transforms, triangles of all three
- * modes, points, lines of all three modes, normals (without them, shading is flat, 3.7.2.1), one set of texture
- * coordinates, `COLOR_0`, materials as described at [GltfMaterials], and lights as described at [GltfLights]. The first
- * camera in the scene becomes the viewpoint, see [GltfCameras]; without one, a camera is fitted to the scene. Skins and
- * morph targets are applied, at rest or at a moment of the first animation ([GltfAnimation], [GltfPoses]).
+ * It reads the scene that was asked for, or the default scene, or all nodes without a parent if there is none: node
+ * transforms, triangles of all three modes, points, lines of all three modes, normals (without them, shading is flat,
+ * 3.7.2.1), one set of texture coordinates, `COLOR_0`, materials as described at [GltfMaterials], and lights as
+ * described at [GltfLights]. The first camera in the scene becomes the viewpoint, see [GltfCameras]; without one, a
+ * camera is fitted to the scene. Skins and morph targets are applied, at rest or at a moment of the first animation ([GltfAnimation], [GltfPoses]).
  * [GltfExtensions] lists the supported extensions. Features that are ignored give a warning.
  */
 internal object GltfParser : SceneParser {

@@ -63,9 +63,8 @@ internal object WebPImage {
     }
 
     /** Returns a reader of the file that [needed] has returned. [look] is called now and then while it reads. */
-    fun reader(needed: ByteArray, look: () -> Unit): ImageReader = WebPImageReaderSpi().createReaderInstance(null).apply {
-        input = Bytes(needed, look)
-    }
+    fun reader(needed: ByteArray, look: () -> Unit): ImageReader =
+        WebPImageReaderSpi().createReaderInstance(null).apply { input = Bytes(needed, look) }
 
     /** Returns where the contents of the chunks from [from] on are, by their names; of several, the first. */
     private fun chunks(bytes: ByteArray, from: Int, until: Int): Map<String, IntRange> {

@@ -75,8 +75,8 @@ public class Picture private constructor(public val width: Int, public val heigh
         }
 
         /**
-         * Reads an image file: PNG, binary PPM, WebP, TGA, TIFF, BMP, GIF, WBMP, or JPEG, whose pixels can differ between
-         * JDKs. Of several images in a file, it reads the first.
+         * Reads an image file: PNG, binary PPM, WebP, TGA, TIFF, BMP, GIF, WBMP, or JPEG, whose pixels can differ
+         * between JDKs. Of several images in a file, it reads the first.
          *
          * @throws SceneReadException if the file is missing or unreadable
          * @throws SceneFormatException if it is no image

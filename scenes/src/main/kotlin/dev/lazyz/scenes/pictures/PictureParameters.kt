@@ -72,7 +72,8 @@ public object PictureParameters {
     /** The name of a variant. */
     @JvmField
     public val VARIANT: PictureParameter<String> = row(
-        "variant", TextValues("NAME"), "Show the model with the materials of this variant (glTF)", "the usual materials",
+        "variant", TextValues("NAME"), "Show the model with the materials of this variant (glTF)",
+        "the usual materials",
         file = "has materials of its own",
     )
 

@@ -24,7 +24,8 @@ class GltfOmissionsTest {
 
     @Test
     fun unknownExtensionsAreListed() {
-        val used = """"extensionsUsed":["KHR_lights_punctual","KHR_materials_dispersion","KHR_materials_unlit","ACME_a"]"""
+        val names = """"KHR_lights_punctual","KHR_materials_dispersion","KHR_materials_unlit","ACME_a""""
+        val used = """"extensionsUsed":[$names]"""
         val lights = """"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"},{"type":"spot"}]}}"""
         val expected = listOf("extensions that are not known are passed over, 2 in all: KHR_materials_dispersion, ACME_a")
         assertEquals(expected, warnings(""","materials":[{},{}],$used,$lights"""))

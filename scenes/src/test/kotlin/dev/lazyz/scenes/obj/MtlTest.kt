@@ -4,9 +4,9 @@ import dev.lazyz.Rgba
 import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
+import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
-import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap

@@ -125,7 +125,7 @@ internal class RandomScenes(seed: Long) {
         ).withTextureMap(map())
             .withMetallicRoughness(
                 if (random.nextBoolean()) {
-                    MetallicRoughness(random.nextFloat(), random.nextFloat(), map(), if (random.nextBoolean()) lobes() else null)
+                    MetallicRoughness(random.nextFloat(), random.nextFloat(), map()).withLobes(lobes())
                 } else {
                     null
                 },
@@ -135,7 +135,7 @@ internal class RandomScenes(seed: Long) {
             .withEmissionMap(map())
     }
 
-    private fun lobes() = Lobes(
+    private fun lobes() = if (random.nextBoolean()) null else Lobes(
         Lobes.Specular(random.nextFloat(), color(), 1f + random.nextFloat(), map(), map()),
         if (random.nextBoolean()) Lobes.Sheen(color(), random.nextFloat(), map(), map()) else null,
         Lobes.Clearcoat(

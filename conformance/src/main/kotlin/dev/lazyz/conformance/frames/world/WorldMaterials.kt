@@ -170,6 +170,7 @@ internal object WorldMaps {
 internal object WorldLobes {
     private val strengths = oneOf(1f, 0.5f, 0f)
     private val roughness = oneOf(0.5f, 1f, 0.25f, 0f)
+    private val indices = oneOf(1.5f, 1f, 2.5f, 0f)
 
     /** Generates any lobes. Shrinks to none. */
     fun any(): Arbitrary<Coded<Lobes>> = Combinators.combine(
@@ -183,7 +184,7 @@ internal object WorldLobes {
     }
 
     private fun speculars() =
-        Combinators.combine(strengths, WorldMaterials.colors, oneOf(1.5f, 1f, 2.5f, 0f)).`as` { strength, color, index ->
+        Combinators.combine(strengths, WorldMaterials.colors, indices).`as` { strength, color, index ->
             Coded(Lobes.Specular(strength, color, index), "Specular(${code(strength)}, ${code(color)}, ${code(index)})")
         }
 

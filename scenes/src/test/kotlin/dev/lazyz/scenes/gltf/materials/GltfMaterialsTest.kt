@@ -108,7 +108,8 @@ class GltfMaterialsTest {
 
     @Test
     fun transmissionMakesGlass() {
-        val volume = """"KHR_materials_volume":{"thicknessFactor":2,"attenuationDistance":4,"attenuationColor":[1,0.5,0]}"""
+        val numbers = """"thicknessFactor":2,"attenuationDistance":4,"attenuationColor":[1,0.5,0]"""
+        val volume = """"KHR_materials_volume":{$numbers}"""
         val base = ""","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.5]}"""
         val glass = lobes(""""KHR_materials_transmission":{"transmissionFactor":0.75},$volume""", base)
         val expected = Lobes.Transmission(0.75f, null, 2f, null, Rgba(1f, 0.5f, 0f), 4f)
