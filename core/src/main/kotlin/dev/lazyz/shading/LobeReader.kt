@@ -25,6 +25,9 @@ internal class LobeReader private constructor(lobes: Lobes, isBlended: Boolean) 
     private val glass = if (isBlended) lobes.transmission else null
     private val glassStrengthMap = MapReader.of(glass?.strengthMap)
     private val thicknessMap = MapReader.of(glass?.thicknessMap)
+    private val film = lobes.iridescence
+    private val filmStrengthMap = MapReader.of(film?.strengthMap)
+    private val filmThicknessMap = MapReader.of(film?.thicknessMap)
     private val thickGlass = FloatArray(3) { attenuated(it, 1f) }
 
     /** Stores the normal of the clear coat. The normal of the [fragment] is still that of its surface. */
@@ -48,6 +51,7 @@ internal class LobeReader private constructor(lobes: Lobes, isBlended: Boolean) 
         val surface = fragment.surface
         surface[PhysicalSurface.SHEEN_ROUGHNESS] = 0f
         surface[PhysicalSurface.COAT] = 0f
+        surface[PhysicalSurface.FILM] = 0f
         for (at in 0 until 3) {
             surface[PhysicalSurface.SHEEN + at] = 0f
             surface[PhysicalSurface.TRANSMITTED + at] = 0f
@@ -56,6 +60,15 @@ internal class LobeReader private constructor(lobes: Lobes, isBlended: Boolean) 
         if (sheen != null) setSheen(fragment, sheen)
         if (coat != null) setCoat(fragment, coat)
         if (glass != null) setGlass(fragment, glass)
+        if (film != null) setFilm(fragment, film)
+    }
+
+    private fun setFilm(fragment: Fragment, film: Lobes.Iridescence) {
+        val surface = fragment.surface
+        surface[PhysicalSurface.FILM] = film.strength * (filmStrengthMap?.read(fragment)?.get(0) ?: 1f)
+        surface[PhysicalSurface.FILM + 1] = film.refraction
+        val part = filmThicknessMap?.read(fragment)?.get(1) ?: 1f
+        surface[PhysicalSurface.FILM + 2] = film.leastThickness * (1f - part) + film.thickness * part
     }
 
     private fun setSpecular(

@@ -158,7 +158,8 @@ internal object GoldenScenes {
         fun of(lobes: Lobes) = plastic.withMetallicRoughness(MetallicRoughness(0.2f, 0.6f, null, lobes))
         val cloth = of(Lobes(sheen = Lobes.Sheen(Rgba(0.5f, 0.7f, 0.9f), 0.4f, colors, map)))
         val coat = of(Lobes(clearcoat = Lobes.Clearcoat(1f, 0.1f, null, map, NormalMap(map, 0.5f))))
-        val glossy = of(Lobes(Lobes.Specular(0.9f, Rgba(0.9f, 0.6f, 1f), 2f, map, colors)))
+        val film = Lobes.Iridescence(0.8f, 1.5f, 600f, 200f, null, map)
+        val glossy = of(Lobes(Lobes.Specular(0.9f, Rgba(0.9f, 0.6f, 1f), 2f, map, colors), iridescence = film))
         return (listOf(sheet(coat)) + behind(cloth, 1) + behind(glossy, -1)).map { (it as Mesh).withTangents() } +
             Sphere(Vector3d(1.2, -0.9, 0.9), 0.6, coat.withNormalMap(null))
     }

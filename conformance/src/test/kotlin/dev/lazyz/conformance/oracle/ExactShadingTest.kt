@@ -98,7 +98,7 @@ class ExactShadingTest {
         FrameCase(known.frame(raster), "// without what the oracle does not know\n${case.code}", known)
     }
 
-    /** Without sheen and transmission, whose albedos are tables. */
+    /** Without sheen and transmission, whose albedos are tables, and without films. */
     private fun withKnownLobes(material: Material): Material {
         val model = material.metallicRoughness ?: return material
         val lobes = model.lobes?.let { Lobes(it.specular, clearcoat = it.clearcoat) }

@@ -7,8 +7,8 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * The light of a surface with sheen, a clear coat or transmission (contract rule 6.16), in single precision, in the
- * order written: what [base] reflects, and what these layers add to it and keep away from it. Immutable and thread
+ * The light of a surface with a film, sheen, a clear coat or transmission (contract rule 6.16), in single precision, in
+ * the order written: what [base] reflects, and what these layers add to it and keep away from it. Immutable and thread
  * safe.
  *
  * Sources: the specifications of `KHR_materials_sheen`, `KHR_materials_clearcoat` and `KHR_materials_transmission`,
@@ -40,6 +40,11 @@ internal class LobeLighting(
         val green = out[1]
         val blue = out[2]
         out.fill(0f, 0, 3)
+        if (surface[PhysicalSurface.FILM] > 0f) {
+            viewer.from(px, py, pz, normalX, normalY, normalZ) { vx, vy, vz, nx, ny, nz ->
+                film(surface, minOf(abs(nx * vx + ny * vy + nz * vz), 1f))
+            }
+        }
         base.illuminate(surface, occlusion, px, py, pz, normalX, normalY, normalZ, out)
         viewer.from(px, py, pz, normalX, normalY, normalZ) { vx, vy, vz, nx, ny, nz ->
             val cosineV = abs(nx * vx + ny * vy + nz * vz)
@@ -52,6 +57,18 @@ internal class LobeLighting(
             out[1] += green
             out[2] += blue
             if (surface[PhysicalSurface.COAT] > 0f) coat(surface, open, px, py, pz, vx, vy, vz, out)
+        }
+    }
+
+    /** Replaces the reflectance by that of the film, where there is one. */
+    private fun film(surface: FloatArray, cosineV: Float) {
+        val part = surface[PhysicalSurface.FILM]
+        for (channel in 0 until 3) {
+            val f0 = surface[PhysicalSurface.REFLECTANCE + channel]
+            val film = ThinFilm.reflectance(
+                f0, channel, surface[PhysicalSurface.FILM + 1], surface[PhysicalSurface.FILM + 2], cosineV,
+            )
+            surface[PhysicalSurface.REFLECTANCE + channel] = f0 * (1f - part) + film * part
         }
     }
 

@@ -6,7 +6,8 @@ package dev.lazyz.shading.pbr
  * at [ROUGHNESS]; radiance from [RADIANCE] on and irradiance from [IRRADIANCE] on; reflectance at grazing incidence at
  * [GRAZING]. What follows is set for materials with lobes only: the colour of sheen from [SHEEN] on and its roughness,
  * the strength, roughness and normal of a clear coat from [COAT] on, the part of light that passes in each colour from
- * [TRANSMITTED] on, and that of all light, at [PASSED].
+ * [TRANSMITTED] on, and that of all light, at [PASSED]; the strength,
+ * index and thickness of a thin film from [FILM] on.
  */
 internal object PhysicalSurface {
     const val DIFFUSE: Int = 0
@@ -22,7 +23,8 @@ internal object PhysicalSurface {
     const val COAT_NORMAL: Int = 20
     const val TRANSMITTED: Int = 23
     const val PASSED: Int = 26
-    const val SIZE: Int = 27
+    const val FILM: Int = 27
+    const val SIZE: Int = 30
 
     /** Sets the material in [surface]: glTF 2.0, appendix B.3.5. */
     fun set(surface: FloatArray, red: Float, green: Float, blue: Float, metallic: Float, roughness: Float) {

@@ -9,6 +9,7 @@ import dev.lazyz.Rgba
  * @property specular how a dielectric reflects; null for glass or plastic, which have the index of refraction 1.5
  * @property sheen the shine of fibres, above all others but the clear coat; null for none
  * @property clearcoat a transparent layer above all others; null for none
+ * @property iridescence a thin film that colours reflections; null for none
  * @property transmission light that passes; it has an effect with [Material.AlphaMode.BLEND] only; null for none
  */
 public class Lobes @JvmOverloads constructor(
@@ -16,8 +17,9 @@ public class Lobes @JvmOverloads constructor(
     public val sheen: Sheen? = null,
     public val clearcoat: Clearcoat? = null,
     public val transmission: Transmission? = null,
+    public val iridescence: Iridescence? = null,
 ) {
-    private val parts get() = listOfNotNull(specular, sheen, clearcoat, transmission)
+    private val parts get() = listOfNotNull(specular, sheen, clearcoat, transmission, iridescence)
 
     /** All maps. */
     internal val maps: List<TextureMap> get() = parts.flatMap { it.maps }
@@ -34,6 +36,11 @@ public class Lobes @JvmOverloads constructor(
             Transmission(
                 strength, strengthMap?.let(change), thickness, thicknessMap?.let(change), attenuationColor,
                 attenuationDistance,
+            )
+        },
+        iridescence?.run {
+            Iridescence(
+                strength, refraction, thickness, leastThickness, strengthMap?.let(change), thicknessMap?.let(change),
             )
         },
     )
@@ -165,6 +172,37 @@ public class Lobes @JvmOverloads constructor(
             get() = listOf(
                 strength, strengthMap, thickness, thicknessMap, attenuationColor, attenuationDistance,
             )
+    }
+
+    /**
+     * A thin film, as on soap bubbles and beetles, below all other lobes: `KHR_materials_iridescence`.
+     *
+     * @property strength the part of the surface that has the film, 0..1
+     * @property refraction the index of refraction of the film, at least 1
+     * @property thickness thickness of the film in nanometres, 0 or more
+     * @property leastThickness the thickness where [thicknessMap] is 0, in nanometres, 0 or more
+     * @property strengthMap its red multiplies [strength]; or null
+     * @property thicknessMap its green says how far the thickness is from [leastThickness] to [thickness]; or null
+     * @throws IllegalArgumentException if a number is out of range
+     */
+    public class Iridescence @JvmOverloads constructor(
+        public val strength: Float = 1f,
+        public val refraction: Float = 1.3f,
+        public val thickness: Float = 400f,
+        public val leastThickness: Float = 100f,
+        public val strengthMap: TextureMap? = null,
+        public val thicknessMap: TextureMap? = null,
+    ) : Lobe() {
+        init {
+            requireFraction("strength", strength)
+            require(refraction >= 1f && refraction.isFinite()) { "refraction must be 1 or more: $refraction" }
+            for (it in listOf(thickness, leastThickness)) {
+                require(it >= 0f && it.isFinite()) { "a thickness must be 0 or more: $it" }
+            }
+        }
+
+        override val properties: List<Any?>
+            get() = listOf(strength, refraction, thickness, leastThickness, strengthMap, thicknessMap)
     }
 
     private companion object {

@@ -85,8 +85,8 @@ public class Material private constructor(
 
     /**
      * Whether samples of this material can be translucent: [AlphaMode.BLEND], with alpha below 1 in the base colour or
-     * the texture, with a custom shader, or with [Lobes.Transmission]. Vertex colours can make a surface translucent too, but are not considered
-     * here.
+     * the texture, with a custom shader, or with [Lobes.Transmission]. Vertex colours can make a surface translucent
+     * too, but are not considered here.
      */
     public val isTranslucent: Boolean
         get() = alphaMode == AlphaMode.BLEND &&

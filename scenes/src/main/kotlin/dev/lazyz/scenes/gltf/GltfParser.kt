@@ -6,6 +6,7 @@ import dev.lazyz.scenes.gltf.document.GltfAccessors
 import dev.lazyz.scenes.gltf.document.GltfCompressedViews
 import dev.lazyz.scenes.gltf.document.GltfContainer
 import dev.lazyz.scenes.gltf.document.GltfDocument
+import dev.lazyz.scenes.gltf.document.LobeExtensions
 import dev.lazyz.scenes.gltf.document.SpecularGlossiness
 import dev.lazyz.scenes.gltf.document.VARIANTS
 import dev.lazyz.scenes.gltf.geometry.GltfInstances
@@ -16,7 +17,6 @@ import dev.lazyz.scenes.gltf.geometry.GltfSkins
 import dev.lazyz.scenes.gltf.geometry.GltfVertices
 import dev.lazyz.scenes.gltf.geometry.PlacedNode
 import dev.lazyz.scenes.gltf.geometry.RelativeToCenter
-import dev.lazyz.scenes.gltf.materials.GltfLobes
 import dev.lazyz.scenes.gltf.materials.GltfMaterials
 import dev.lazyz.scenes.gltf.materials.GltfTextures
 import dev.lazyz.scenes.loading.SceneParser
@@ -32,7 +32,8 @@ import dev.lazyz.world.Scene
  * transforms, triangles of all three modes, points, lines of all three modes, normals (without them, shading is flat,
  * 3.7.2.1), one set of texture coordinates, `COLOR_0`, materials as described at [GltfMaterials], and lights as
  * described at [GltfLights]. The first camera in the scene becomes the viewpoint, see [GltfCameras]; without one, a
- * camera is fitted to the scene. Skins and morph targets are applied, at rest or at a moment of the first animation ([GltfAnimation], [GltfPoses]).
+ * camera is fitted to the scene. Skins and morph targets are applied, at rest or at a moment of the first animation
+ * ([GltfAnimation], [GltfPoses]).
  * [GltfExtensions] lists the supported extensions. Features that are ignored give a warning.
  */
 internal object GltfParser : SceneParser {
@@ -90,7 +91,7 @@ internal object GltfExtensions {
         GltfNodes.VISIBILITY,
         RelativeToCenter.NAME,
         VARIANTS,
-    ) + GltfLobes.NAMES + GltfCompressedViews.NAMES + GltfTextures.formats.keys
+    ) + LobeExtensions.all + GltfCompressedViews.NAMES + GltfTextures.formats.keys
 
     private const val MOST_SHOWN = 20
 

@@ -12,7 +12,8 @@ import java.nio.ByteOrder
 internal object NeededParts {
     /**
      * Returns the parts of the PNG, JPEG, WebP, GIF or BMP file in [bytes] that its first image needs, or null if the
-     * file is damaged, or would have a decoder read another kind of file. Files of other kinds are returned as they are.
+     * file is damaged, or would have a decoder read another kind of file. Files of other kinds are returned as they
+     * are.
      */
     fun of(bytes: ByteArray): ByteArray? = when {
         NeededChunks.SIGNATURE.isAt(bytes, 0) -> NeededChunks.needed(bytes)

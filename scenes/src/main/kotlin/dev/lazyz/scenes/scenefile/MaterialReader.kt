@@ -67,7 +67,9 @@ internal class MaterialReader(source: Source) {
     }
 
     private fun model(node: JsonNode): MetallicRoughness {
-        val members = node.members("metallic", "roughness", "map", "specular", "sheen", "clearcoat", "transmission")
+        val members = node.members(
+            "metallic", "roughness", "map", "specular", "sheen", "clearcoat", "transmission", "iridescence",
+        )
         val plain = MetallicRoughness()
         val map = members["map"]?.let { textures.read(it, Texture.Encoding.LINEAR) }
         return node.checked {
@@ -120,7 +122,19 @@ internal class MaterialReader(source: Source) {
                 )
             }
         }
-        return Lobes(specular, sheen, clearcoat, transmission).takeIf { it != Lobes() }
+        val iridescence = members["iridescence"]?.let { node ->
+            val m = node.members(
+                "strength", "refraction", "thickness", "leastThickness", "strengthMap", "thicknessMap",
+            )
+            val (strengths, thickness) = numbers(m["strengthMap"]) to numbers(m["thicknessMap"])
+            node.checked {
+                Lobes.Iridescence(
+                    m["strength"]?.float() ?: 1f, m["refraction"]?.float() ?: 1.3f, m["thickness"]?.float() ?: 400f,
+                    m["leastThickness"]?.float() ?: 100f, strengths, thickness,
+                )
+            }
+        }
+        return Lobes(specular, sheen, clearcoat, transmission, iridescence).takeIf { it != Lobes() }
     }
 
     private fun numbers(node: JsonNode?) = node?.let { textures.read(it, Texture.Encoding.LINEAR) }

@@ -143,6 +143,16 @@ internal object LobesWriter {
                 if (attenuationDistance.isFinite()) key("attenuationDistance").float(attenuationDistance)
             }
         }
+        lobes.iridescence?.run {
+            key("iridescence").members {
+                key("strength").float(strength)
+                key("refraction").float(refraction)
+                key("thickness").float(thickness)
+                key("leastThickness").float(leastThickness)
+                strengthMap?.let { numbers("strengthMap", it) }
+                thicknessMap?.let { numbers("thicknessMap", it) }
+            }
+        }
     }
 
     private fun JsonWriter.numbers(name: String, map: TextureMap) =

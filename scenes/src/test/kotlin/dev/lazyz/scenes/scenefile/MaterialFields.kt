@@ -25,6 +25,9 @@ internal object MaterialFields {
                 strength, map(strengthMap), thickness, map(thicknessMap), attenuationColor, attenuationDistance,
             )
         },
+        lobes?.iridescence?.run {
+            listOf(strength, refraction, thickness, leastThickness, map(strengthMap), map(thicknessMap))
+        },
     )
 
     private fun map(map: TextureMap?): List<Any?>? = map?.texture?.run {

@@ -145,6 +145,9 @@ internal class RandomScenes(seed: Long) {
             random.nextFloat(), map(), random.nextFloat(), map(), color(),
             if (random.nextBoolean()) 1f + random.nextFloat() else Float.POSITIVE_INFINITY,
         ),
+        Lobes.Iridescence(
+            random.nextFloat(), 1f + random.nextFloat(), random.nextFloat(), random.nextFloat(), map(), map(),
+        ),
     )
 
     private fun map(): TextureMap? = when (random.nextInt(3)) {

@@ -174,11 +174,11 @@ internal object WorldLobes {
 
     /** Generates any lobes. Shrinks to none. */
     fun any(): Arbitrary<Coded<Lobes>> = Combinators.combine(
-        orNone(speculars()), orNone(sheens()), orNone(clearcoats()), orNone(transmissions()),
-    ).`as` { specular, sheen, clearcoat, transmission ->
-        val words = listOf(specular, sheen, clearcoat, transmission).map { it.code }
+        orNone(speculars()), orNone(sheens()), orNone(clearcoats()), orNone(transmissions()), orNone(films()),
+    ).`as` { specular, sheen, clearcoat, transmission, film ->
+        val words = listOf(specular, sheen, clearcoat, transmission, film).map { it.code }
         Coded(
-            Lobes(specular.value, sheen.value, clearcoat.value, transmission.value),
+            Lobes(specular.value, sheen.value, clearcoat.value, transmission.value, film.value),
             words.joinToString(", ", "Lobes(", ")"),
         )
     }
@@ -203,6 +203,13 @@ internal object WorldLobes {
                 "Transmission(${code(strength)}, null, ${code(thickness)}, null, ${code(color)}, 2f)",
             )
         }
+
+    private fun films() = Combinators.combine(strengths, oneOf(400f, 0f, 250f)).`as` { strength, thickness ->
+        Coded(
+            Lobes.Iridescence(strength, 1.5f, thickness),
+            "Iridescence(${code(strength)}, 1.5f, ${code(thickness)})",
+        )
+    }
 
     private fun <T : Any> orNone(lobes: Arbitrary<Coded<T>>): Arbitrary<Coded<T?>> = mixed(
         1 to Arbitraries.just(Coded<T?>(null, "null")),

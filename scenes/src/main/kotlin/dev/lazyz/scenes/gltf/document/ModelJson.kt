@@ -1,7 +1,5 @@
 package dev.lazyz.scenes.gltf.document
 
-import dev.lazyz.scenes.gltf.materials.GltfLobes
-
 /** An object that can have extensions. */
 internal abstract class ExtensibleJson(json: GltfObject?) {
     private val extensions: Map<*, *>? = json?.extensions()
@@ -133,11 +131,24 @@ internal class MaterialJson(json: GltfObject?) : ExtensibleJson(json) {
     val alphaMode: String? = json?.word("alphaMode", "OPAQUE", "MASK", "BLEND")
     val alphaCutoff: Float? = json?.number("alphaCutoff", least = 0f)
     val doubleSided: Boolean? = json?.flag("doubleSided")
-    val specular: SpecularJson? = json?.extension(GltfLobes.SPECULAR, ::SpecularJson)
-    val sheen: SheenJson? = json?.extension(GltfLobes.SHEEN, ::SheenJson)
-    val clearcoat: ClearcoatJson? = json?.extension(GltfLobes.CLEARCOAT, ::ClearcoatJson)
-    val transmission: TransmissionJson? = json?.extension(GltfLobes.TRANSMISSION, ::TransmissionJson)
-    val volume: VolumeJson? = json?.extension(GltfLobes.VOLUME, ::VolumeJson)
+    val specular: SpecularJson? = json?.extension(LobeExtensions.SPECULAR, ::SpecularJson)
+    val sheen: SheenJson? = json?.extension(LobeExtensions.SHEEN, ::SheenJson)
+    val clearcoat: ClearcoatJson? = json?.extension(LobeExtensions.CLEARCOAT, ::ClearcoatJson)
+    val transmission: TransmissionJson? = json?.extension(LobeExtensions.TRANSMISSION, ::TransmissionJson)
+    val iridescence: IridescenceJson? = json?.extension(LobeExtensions.IRIDESCENCE, ::IridescenceJson)
+    val volume: VolumeJson? = json?.extension(LobeExtensions.VOLUME, ::VolumeJson)
+}
+
+/** The extensions of materials that are lobes. */
+internal object LobeExtensions {
+    const val SPECULAR: String = "KHR_materials_specular"
+    const val SHEEN: String = "KHR_materials_sheen"
+    const val CLEARCOAT: String = "KHR_materials_clearcoat"
+    const val TRANSMISSION: String = "KHR_materials_transmission"
+    const val VOLUME: String = "KHR_materials_volume"
+    const val IRIDESCENCE: String = "KHR_materials_iridescence"
+    const val REFRACTION: String = "KHR_materials_ior"
+    val all: List<String> = listOf(SPECULAR, SHEEN, CLEARCOAT, TRANSMISSION, VOLUME, IRIDESCENCE, REFRACTION)
 }
 
 internal class SpecularJson(json: GltfObject) {
@@ -165,6 +176,15 @@ internal class ClearcoatJson(json: GltfObject) {
 internal class TransmissionJson(json: GltfObject) {
     val factor: Float? = json.fraction("transmissionFactor")
     val texture: TextureInfoJson? = json.one("transmissionTexture", ::TextureInfoJson)
+}
+
+internal class IridescenceJson(json: GltfObject) {
+    val factor: Float? = json.fraction("iridescenceFactor")
+    val texture: TextureInfoJson? = json.one("iridescenceTexture", ::TextureInfoJson)
+    val refraction: Float? = json.number("iridescenceIor", least = 1f)
+    val minimum: Float? = json.number("iridescenceThicknessMinimum", least = 0f)
+    val maximum: Float? = json.number("iridescenceThicknessMaximum", least = 0f)
+    val thicknessTexture: TextureInfoJson? = json.one("iridescenceThicknessTexture", ::TextureInfoJson)
 }
 
 internal class VolumeJson(json: GltfObject) {

@@ -2,6 +2,13 @@ package dev.lazyz.scenes.gltf.materials
 
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.gltf.document.ExtensionValues
+import dev.lazyz.scenes.gltf.document.LobeExtensions.CLEARCOAT
+import dev.lazyz.scenes.gltf.document.LobeExtensions.IRIDESCENCE
+import dev.lazyz.scenes.gltf.document.LobeExtensions.REFRACTION
+import dev.lazyz.scenes.gltf.document.LobeExtensions.SHEEN
+import dev.lazyz.scenes.gltf.document.LobeExtensions.SPECULAR
+import dev.lazyz.scenes.gltf.document.LobeExtensions.TRANSMISSION
+import dev.lazyz.scenes.gltf.document.LobeExtensions.VOLUME
 import dev.lazyz.scenes.gltf.document.MaterialJson
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.NormalMap
@@ -13,7 +20,7 @@ internal class GltfLobes(private val json: MaterialJson, private val maps: GltfM
 
     /** Returns the lobes of the material, or null if it has none. */
     fun read(): Lobes? {
-        val lobes = Lobes(specular(), sheen(), clearcoat(), transmission())
+        val lobes = Lobes(specular(), sheen(), clearcoat(), transmission(), iridescence())
         return lobes.takeIf { it != Lobes() }
     }
 
@@ -71,21 +78,26 @@ internal class GltfLobes(private val json: MaterialJson, private val maps: GltfM
         )
     }
 
+    private fun iridescence(): Lobes.Iridescence? {
+        val json = json.iridescence ?: return null
+        val strength = json.factor ?: 0f
+        if (strength == 0f) return null
+        return Lobes.Iridescence(
+            strength,
+            json.refraction?.takeIf { it.isFinite() } ?: 1.3f,
+            json.maximum?.takeIf { it.isFinite() } ?: 400f,
+            json.minimum?.takeIf { it.isFinite() } ?: 100f,
+            maps.map(json.texture, Encoding.LINEAR, "$here.$IRIDESCENCE.iridescenceTexture"),
+            maps.map(json.thicknessTexture, Encoding.LINEAR, "$here.$IRIDESCENCE.iridescenceThicknessTexture"),
+        )
+    }
+
     private fun color(factors: FloatArray?, missing: Rgba): Rgba {
         val (red, green, blue) = factors?.map { if (it > 0f && it.isFinite()) it else 0f } ?: return missing
         return Rgba(red, green, blue)
     }
 
-    companion object {
-        const val SPECULAR: String = "KHR_materials_specular"
-        const val SHEEN: String = "KHR_materials_sheen"
-        const val CLEARCOAT: String = "KHR_materials_clearcoat"
-        const val TRANSMISSION: String = "KHR_materials_transmission"
-        const val VOLUME: String = "KHR_materials_volume"
-        private const val REFRACTION = "KHR_materials_ior"
-        private const val DEFAULT = 1.5
-
-        /** The extensions that are read. */
-        val NAMES: List<String> = listOf(SPECULAR, SHEEN, CLEARCOAT, TRANSMISSION, VOLUME, REFRACTION)
+    private companion object {
+        const val DEFAULT = 1.5
     }
 }

@@ -46,7 +46,8 @@ internal class MtlMaterial(
  * `norm` is a normal map, and `bump` or `map_bump` an image of heights, see [HeightNormals]; `map_Ke` multiplies `Ke`,
  * or white if `Ke` is black or missing. A material with `Pm`, `Pr`, `map_Pm` or `map_Pr` (C. Hery et al., the extension
  * of MTL for physically based rendering, 2013) is a metallic-roughness material; so is one with a clear coat, `Pc` with
- * the roughness `Pcr`, or sheen, `Ps`. A map replaces its number. Without both, a material is no metal, and its roughness is `(2 / (Ns + 2))^(1/4)`.
+ * the roughness `Pcr`, or sheen, `Ps`. A map replaces its number. Without both, a material is no metal, and its
+ * roughness is `(2 / (Ns + 2))^(1/4)`.
  *
  * @param folders folders to search for textures, in order
  */

@@ -93,7 +93,8 @@ class GltfMaterialsTest {
         val specular = """"specularFactor":0.5,"specularColorFactor":[2,1,0],"specularTexture":$texture"""
         val material = lobes(
             """"KHR_materials_clearcoat":{$coat,$normals},"KHR_materials_sheen":{$sheen},""" +
-                """"KHR_materials_specular":{$specular},"KHR_materials_ior":{"ior":1.25}""",
+                """"KHR_materials_specular":{$specular},"KHR_materials_ior":{"ior":1.25},""" +
+                """"KHR_materials_iridescence":{"iridescenceFactor":0.5,"iridescenceThicknessMaximum":600}""",
         )
         val lobes = checkNotNull(material.metallicRoughness?.lobes)
         val numbers = checkNotNull(lobes.clearcoat?.strengthMap)
@@ -103,6 +104,7 @@ class GltfMaterialsTest {
         assertEquals(Texture.Encoding.SRGB, colors.texture.encoding)
         assertEquals(Lobes.Sheen(Rgba(1f, 0.5f, 0f), 0.75f, colors), lobes.sheen)
         assertEquals(Lobes.Specular(0.5f, Rgba(2f, 1f, 0f), 1.25f, numbers), lobes.specular)
+        assertEquals(Lobes.Iridescence(0.5f, thickness = 600f), lobes.iridescence)
         assertEquals(numbers, material.tangentMap)
     }
 
