@@ -48,8 +48,11 @@ public class SampledFrame private constructor(
         return checkNotNull(part)
     }
 
+    /** Samples a pixel in each direction. */
+    internal val factor: Int get() = sampling.factor
+
     /** Whether each sample is a pixel, so that nothing has to be filtered. */
-    private val isPlain: Boolean get() = sampling.factor == 1 && isBox
+    private val isPlain: Boolean get() = factor == 1 && isBox
 
     private val isBox: Boolean get() = sampling.filter == PixelFilter.BOX
 

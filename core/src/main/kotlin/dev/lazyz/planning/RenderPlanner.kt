@@ -68,7 +68,7 @@ public class RenderPlanner @JvmOverloads constructor(
         val around = if (filter == 0L) others else others + RenderPlan.Item("samples to pixels", filter)
         var least: RenderPlan? = null
         val able = renderers.asSequence().filter { isAble(it, frame.frame) }
-        for (plan in able.flatMap { plans(it, frame.frame, around) }) {
+        for (plan in able.flatMap { plans(it, frame, around) }) {
             if (plan.fits) return plan
             if (least == null || plan.leastMemory < least.leastMemory) least = plan
         }
@@ -80,10 +80,13 @@ public class RenderPlanner @JvmOverloads constructor(
             (!frame.hasTranslucency || Capability.TRANSPARENCY in renderer.capabilities) &&
             (!frame.isStreamed || renderer is StreamingRenderer)
 
-    private fun plans(renderer: Renderer, frame: Frame, others: List<RenderPlan.Item>): Sequence<RenderPlan> = when {
-        renderer !is TiledRenderer -> sequenceOf(other(renderer, frame, others))
-        frame.isStreamed -> variants().map { streamed(renderer, frame, others, it) }
-        else -> variants().map { tiled(renderer, frame, others, it) }
+    private fun plans(renderer: Renderer, sampled: SampledFrame, others: List<RenderPlan.Item>): Sequence<RenderPlan> {
+        val frame = sampled.frame
+        return when {
+            renderer !is TiledRenderer -> sequenceOf(other(renderer, frame, others))
+            frame.isStreamed -> variants().map { streamed(renderer, frame, others, it) }
+            else -> variants().map { tiled(renderer, sampled, others, it) }
+        }
     }
 
     /** The options with all threads and ever smaller tiles, and then the same for one thread. */
@@ -95,11 +98,12 @@ public class RenderPlanner @JvmOverloads constructor(
 
     private fun tiled(
         renderer: TiledRenderer,
-        frame: Frame,
+        sampled: SampledFrame,
         others: List<RenderPlan.Item>,
         chosen: RenderOptions,
     ): RenderPlan {
-        val need = TiledMemory(frame, chosen.tileSize, chosen.threads)
+        val tile = if (sampled.factor == 1) chosen.tileSize else TiledRenderer.pixelTileSize(chosen.tileSize)
+        val need = TiledMemory(sampled.frame, tile, chosen.threads)
         val items = others + listOf(
             RenderPlan.Item("rows of tiles", HeapLayout.array(need.rowBytes, memory) * need.rowArrays),
             RenderPlan.Item("triangles by tile", need.bins),

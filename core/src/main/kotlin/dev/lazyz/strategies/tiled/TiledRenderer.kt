@@ -171,7 +171,7 @@ public class TiledRenderer internal constructor(
         if (frame.isStreamed || coherence == Coherence.INCREMENTAL) return null
         if (tileSize % side != 0 || side > MOST_SIDE) return null
         val pool = takePool()
-        return render(frame, sink, pool, side).also { keep(pool) }
+        return render(frame, sink, pool, side, pixelTileSize(tileSize)).also { keep(pool) }
     }
 
     /** Takes the pool that was kept: concurrent renderings each have their own. */
@@ -179,17 +179,26 @@ public class TiledRenderer internal constructor(
 
     private fun keep(pool: ArrayPool) = kept.set(SoftReference(pool))
 
-    private fun render(frame: Frame, sink: RowSink, pool: ArrayPool, side: Int = 1): Counters {
+    private fun render(frame: Frame, sink: RowSink, pool: ArrayPool, side: Int = 1, size: Int = tileSize): Counters {
         pool.begin()
         val workers = Workers(threads, executor)
-        val grid = TileGrid(frame.region, tileSize)
+        val grid = TileGrid(frame.region, size)
         return TiledRendering(frame, grid, coherence, workers, kernels(), pool, side).run(sink)
     }
 
     override fun toString(): String = "TiledRenderer($coherence, threads=$threads, tileSize=$tileSize)"
 
-    private companion object {
+    internal companion object {
+        /**
+         * Returns the width of the tiles in which samples become pixels: with several samples a pixel, most triangles
+         * reach several of the smaller tiles.
+         */
+        fun pixelTileSize(tileSize: Int): Int = minOf(2 * tileSize, LARGEST_TILE)
+
+        /** See [RenderOptions.tileSize]. */
+        private const val LARGEST_TILE = 512
+
         /** Many samples of a pixel can show as many primitives, for which rows of samples are faster. */
-        const val MOST_SIDE = 8
+        private const val MOST_SIDE = 8
     }
 }
