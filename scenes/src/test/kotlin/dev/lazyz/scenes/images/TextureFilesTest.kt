@@ -18,6 +18,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import javax.imageio.IIOImage
 import javax.imageio.ImageIO
+import javax.imageio.ImageWriteParam
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
@@ -279,9 +280,25 @@ class TextureFilesTest {
     private fun allocated(): Long =
         (ManagementFactory.getThreadMXBean() as ThreadMXBean).getThreadAllocatedBytes(Thread.currentThread().id)
 
-    private fun jpeg(image: BufferedImage): ByteArray {
+    private fun jpeg(image: BufferedImage, progressive: Int): ByteArray {
         val out = ByteArrayOutputStream()
-        check(ImageIO.write(image, "jpg", out))
+        val writer = ImageIO.getImageWritersByFormatName("jpeg").next()
+        val options = writer.defaultWriteParam.apply { progressiveMode = progressive }
+        ImageIO.createImageOutputStream(out).use { stream ->
+            writer.output = stream
+            writer.write(null, IIOImage(image, null, null), options)
+        }
+        writer.dispose()
         return out.toByteArray()
+    }
+
+    @Test
+    fun progressiveJpegsAreReadLikeOthers() {
+        val image = BufferedImage(24, 16, BufferedImage.TYPE_3BYTE_BGR)
+        for (i in 0 until 24 * 16) image.setRGB(i % 24, i / 24, i * 0x0A1F05)
+        val (plain, progressive) =
+            listOf(ImageWriteParam.MODE_DISABLED, ImageWriteParam.MODE_DEFAULT).map { jpeg(image, it) }
+        assertTrue(progressive.indices.any { progressive.code(it) == 0xFF && progressive.code(it + 1) == 0xC2 })
+        assertEquals(texels(plain), texels(progressive))
     }
 }
