@@ -86,7 +86,7 @@ configure(subprojects.filter { it.name != "bom" }) {
         jvmArgs("--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC", "-XX:MarkSweepAlwaysCompactCount=1")
         // Many short tests take twice the processor time with the optimizing compiler
         jvmArgs("-XX:TieredStopAtLevel=1", "-XX:MaxVectorSize=8")
-        maxParallelForks = 2
+        maxParallelForks = 1
         include("**/*Test.class", "**/*Properties.class", "**/*Example.class")
         systemProperty("jqwik.database", "")
         systemProperty("jqwik.reporting.onlyfailures", "true")

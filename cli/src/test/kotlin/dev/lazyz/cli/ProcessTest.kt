@@ -179,7 +179,7 @@ class ProcessTest {
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun memoryThatIsUsedUpIsReportedOnce() {
         val job = listOf("render", "teapot", "--size", "300", "--style", "product", "--memory", "32m", "-o", "x.png")
-        repeat(5) {
+        repeat(2) {
             assertEquals(2, child.code(child.start(job, listOf("-Xmx32m"))))
             assertTrue(errors.startsWith("zcli: error: ") && "OutOfMemoryError" !in errors, errors)
         }

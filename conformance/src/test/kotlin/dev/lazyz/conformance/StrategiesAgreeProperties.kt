@@ -32,8 +32,8 @@ import org.junit.jupiter.api.Assertions.assertTrue
 
 /**
  * The main promise of the library: all built-in renderers give the same bits, on 2,800 frames, with random options and
- * in random regions. Each frame is rendered by the first renderer and by about a quarter of the others, with the
- * effort `rest` by the rest, and with `full` by all; see [TestEffort].
+ * in random regions. By default half of the frames are rendered, each by the first renderer and by about a quarter of
+ * the others; with the effort `rest` all by the rest, and with `full` by all; see [TestEffort].
  *
  * [RendererConformance] compares each with the oracle, on fewer frames. This test compares them with each other.
  */
@@ -63,6 +63,7 @@ class StrategiesAgreeProperties {
         agree(case, salt)
 
     private fun agree(case: FrameCase, salt: Long) {
+        if (TestEffort.isDefault && salt % 2 == 0L) return
         val random = Random(salt)
         val part = if (random.nextInt(3) == 0) case.within(region(case.frame, random)) else case
         val renderers = Renderers.builtIn.filter {

@@ -50,6 +50,7 @@ class PageCommandsTest {
     }
 
     private fun smaller(text: String) = SMALLER.entries.fold(text) { all, (big, small) -> all.replace(big, small) }
+        .replace(WITHOUT_SIZE) { "${it.value} --size 160x120" }
 
     /** Blocks are run in a folder that has the program that is built, but no scripts of the project. */
     @Test
@@ -86,16 +87,20 @@ class PageCommandsTest {
         /** Parts of commands that would take long, and what is run for them. */
         val SMALLER = mapOf(
             "--turntable 120 --size 1920x1080" to "--turntable 12 --size 192x108",
-            "--turntable 36 -o" to "--turntable 36 --size 64 -o",
+            "--turntable 36 -o" to "--turntable 12 --size 64 -o",
+            "--turntable 36 --size 320" to "--turntable 12 --size 64",
+            "--steps 24" to "--steps 4",
             "--size 4096x4096" to "--size 256x256",
             "--size 20000" to "--size 300",
             "--size 100000" to "--size 300",
             "--size 1024x768" to "--size 256x192",
-            "--memory-budget 64k" to "--memory-budget 64k --size 160x120",
             "--minutes 60" to "--minutes 0.01",
             "--tries 10" to "--tries 0.5",
             "my.jar --report report" to "my.jar --report report --tries 0.05 --rule 9.6",
             "--explore" to "--explore --tries 0.05 --rule 9.6",
         )
+
+        /** The picture of a file of a failure has the size of the file. */
+        val WITHOUT_SIZE = Regex("""\bzcli(\.jar)? (render|compare|report|trace)\b(?!(.*\\\n)*.*( --size| failures/))""")
     }
 }

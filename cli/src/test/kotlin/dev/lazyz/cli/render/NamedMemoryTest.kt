@@ -44,7 +44,7 @@ class NamedMemoryTest {
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun theNamedAmountIsAcceptedInALargeHeap() {
-        grid(listOf("300x200"), listOf(1, 2)) { words ->
+        grid(listOf("300x200"), listOf(2)) { words ->
             val refused = zcli(*words.toTypedArray(), "--memory", "1m")
             assertEquals(2, refused.code, refused.errors)
             val amount = named(refused.errors)

@@ -105,11 +105,10 @@ class PictureDrawingTest {
         val cuts = listOf("z=0", "x=0.1").map { checkNotNull(CutPlane.parse(it)) }
         val all = listOf(
             lines to flange,
-            lines.with(PictureParameters.CUT, cuts.take(1)) to flange,
-            lines.with(PictureParameters.CUT, cuts).with(PictureParameters.UP, UpAxis.Z) to flange,
-            lines.with(PictureParameters.CUT, cuts).with(PictureParameters.CAP_COLOR, Rgba.ofRgb(0xFF0000)) to flange,
-            lines.with(PictureParameters.CUT, cuts).with(PictureParameters.ZOOM, 3.0) to flange,
-            lines.with(PictureParameters.CUT, cuts).with(PictureParameters.PROJECTION, Fit.PERSPECTIVE) to flange,
+            lines.with(PictureParameters.CUT, cuts).with(PictureParameters.UP, UpAxis.Z)
+                .with(PictureParameters.CAP_COLOR, Rgba.ofRgb(0xFF0000)) to flange,
+            lines.with(PictureParameters.CUT, cuts.take(1)).with(PictureParameters.ZOOM, 3.0)
+                .with(PictureParameters.PROJECTION, Fit.PERSPECTIVE) to flange,
             lines to LoadedScene(Scenes.teapot(), emptyList()),
         )
         for ((settings, loaded) in all) {

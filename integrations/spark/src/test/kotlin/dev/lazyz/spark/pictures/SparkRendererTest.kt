@@ -17,11 +17,13 @@ import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.TestFactory
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class SparkRendererTest {
     private val renderer = SparkRenderer(TestSpark.session)
 
     @TestFactory
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun builtInScenesAreThoseOfOneJvm(): List<DynamicTest> = Scenes.builtins.map { builtin ->
         dynamicTest(builtin.id) {
             val frame = builtin.scene().frame(160, 200)

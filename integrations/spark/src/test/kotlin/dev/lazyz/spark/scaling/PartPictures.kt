@@ -1,109 +1,82 @@
 package dev.lazyz.spark.scaling
 
-import dev.lazyz.Counters
-import dev.lazyz.spark.pictures.PixelBlock
-import dev.lazyz.spark.triangles.FragmentRuns
 import dev.lazyz.spark.triangles.PictureSetUp
 import dev.lazyz.spark.triangles.SerializableCamera
+import dev.lazyz.spark.triangles.jobs.BandKey
 import dev.lazyz.spark.triangles.jobs.BandPart
 import dev.lazyz.spark.triangles.jobs.DrawPart
 import dev.lazyz.spark.triangles.jobs.MergeParts
+import dev.lazyz.spark.triangles.jobs.SortLast
 import java.lang.management.ManagementFactory
 import org.apache.spark.broadcast.Broadcast
 import scala.reflect.ClassTag
 
-/** Runs of some bands or strips of a picture, each with its number and the number of its fragments. */
-internal class RunPiece(val cells: List<Cell>) {
-    class Cell(val number: Int, val part: BandPart, val fragments: Long)
+/** A result, and the seconds of one processor that it took. */
+internal class Timed<T>(val value: T, val seconds: Double)
 
-    val fragments: Long get() = cells.sumOf { it.fragments }
-}
+/** A part of a band, and the node that has it. */
+internal class Held(val key: BandKey, val node: Int, val part: BandPart)
 
 /**
- * What it took to draw a part.
+ * A round of merging.
  *
- * @property covered fragments of all triangles, also of those that are hidden
+ * @property tasks tasks that merge, including those without work
+ * @property bytes what the busiest node sends or receives
+ * @property seconds what the busiest node needs to merge
  */
-internal class Drawn(val bands: RunPiece, val triangles: Int, val covered: Long, val seconds: Double)
-
-/** What it took to merge runs with these numbers of [fragments], which show regions of [samples] in total. */
-internal class MergeCost(val samples: Long, val fragments: List<Long>, val seconds: Double)
+internal class Round(val tasks: Int, val bytes: Long, val seconds: Double)
 
 /**
  * Pictures of parts of a [sphere], drawn and merged by the code that the tasks of a Spark job run, without Spark.
  *
- * @param strips the picture is divided into so many when nodes split it
  * @param bandRows rows of a band of the job
  */
 internal class PartPictures(
     val sphere: BumpySphere,
-    val width: Int,
-    val height: Int,
-    strips: Int,
+    width: Int,
+    height: Int,
     bandRows: Int = PictureSetUp.bandRows(width, height),
 ) {
-    private val camera = SerializableCamera(sphere.camera(width, height))
-    private val stripRows = height / strips
-
-    init {
-        require(height % strips == 0) { "the height must be a multiple of $strips: $height" }
-    }
-
     /** The picture in bands, as the job divides it. */
-    val bandSetUp: PictureSetUp = setUp(bandRows)
+    val setUp: PictureSetUp =
+        PictureSetUp(BumpySphere.SCENE, SerializableCamera(sphere.camera(width, height)), width, height, bandRows)
 
-    /** The picture in strips. */
-    val stripSetUp: PictureSetUp = setUp(stripRows)
+    private val known = Known(setUp)
+    private val merge = MergeParts(known, isShaded = true)
 
-    private fun setUp(rows: Int) = PictureSetUp(BumpySphere.SCENE, camera, width, height, rows)
-
-    /** Draws a part as a task does. */
-    fun draw(part: Int, parts: Int, split: Split): Drawn {
+    /** Draws a part as a task does, on the node with its number. */
+    fun draw(part: Int, parts: Int, split: Split): Timed<List<Held>> {
         val rows = sphere.rows(part, parts, split)
-        val drawn = timed {
-            DrawPart(Known(bandSetUp), isShaded = true).call(part, rows.iterator()).asSequence().toList()
-        }
-        val cells = drawn.value.groupBy({ it._1().band }, { it._2() })
-            .map { (band, of) -> cell(bandSetUp, band, if (of.size == 1) of.single() else merged(band, of)) }
-        val covered = drawn.value.sumOf { it._2().work[FRAGMENTS] }
-        return Drawn(RunPiece(cells), rows.size, covered, drawn.seconds)
+        val drawn = timed { DrawPart(known, isShaded = true).call(part, rows.iterator()).asSequence().toList() }
+        return Timed(drawn.value.map { Held(it._1(), part, it._2()) }, drawn.seconds)
     }
 
-    private fun merged(band: Int, parts: List<BandPart>) = MergeParts(Known(bandSetUp), true).part(band, parts)
-
-    /** Returns the fragments of [bands] in all strips, also those that show nothing. */
-    fun strips(bands: RunPiece): RunPiece {
-        val runs = List(stripSetUp.bands) { FragmentRuns.Builder(isShaded = true) }
-        for (cell in bands.cells) {
-            cell.part.runs.forEach(bandSetUp.region(cell.number)) { x, y, key, color ->
-                runs[y / stripRows].add(y % stripRows * width + x, key, color)
+    /**
+     * Merges what [nodes] nodes have drawn, as [SortLast] does: [fanIn] parts of a band at a time, in rounds that begin
+     * when the one before has ended. A task runs on the node with its number.
+     */
+    fun merged(drawn: List<Held>, nodes: Int, fanIn: Int = SortLast.FAN_IN): Pair<List<Held>, List<Round>> {
+        var held = drawn
+        val rounds = SortLast.groups(nodes, fanIn).map { groups ->
+            val tasks = SortLast.tasks(nodes, setUp.bands, groups)
+            val sent = LongArray(nodes)
+            val received = LongArray(nodes)
+            val seconds = DoubleArray(nodes)
+            held = held.groupBy { BandKey(it.key.band, it.key.group / fanIn) }.map { (key, all) ->
+                val node = SortLast.task(key, groups, tasks)
+                // What is merged where it was made crosses no network
+                for (one in all) {
+                    if (one.node == node) continue
+                    sent[one.node] += one.part.runs.size.toLong()
+                    received[node] += one.part.runs.size.toLong()
+                }
+                val result = timed { merge.part(key.band, all.map { it.part }) }
+                seconds[node] += result.seconds
+                Held(key, node, result.value)
             }
+            Round(tasks, (sent + received).max(), seconds.max())
         }
-        return RunPiece(runs.mapIndexed { i, run -> cell(stripSetUp, i, BandPart(run.build(), 0, NO_WORK)) })
-    }
-
-    /** Merges real runs, and keeps what it cost in [costs]. */
-    class RunCompositing(private val setUp: PictureSetUp, private val costs: MutableList<MergeCost>) :
-        Compositing<RunPiece> {
-        private val merge = MergeParts(Known(setUp), isShaded = true)
-
-        override fun bytes(piece: RunPiece): Long = piece.cells.sumOf { it.part.runs.size.toLong() }
-
-        /** Every [ways]-th strip: so that all have about the same share of what is in the middle of a picture. */
-        override fun split(piece: RunPiece, ways: Int): List<RunPiece> =
-            List(ways) { own -> RunPiece(piece.cells.filterIndexed { i, _ -> i % ways == own }) }
-
-        override fun merge(pieces: List<RunPiece>): Timed<RunPiece> {
-            val numbers = pieces.first().cells.map { it.number }
-            check(pieces.all { piece -> piece.cells.map { it.number } == numbers }) { "other strips: $numbers" }
-            val merged = timed {
-                numbers.mapIndexed { i, number -> merge.part(number, pieces.map { it.cells[i].part }) }
-            }
-            val samples = numbers.sumOf { setUp.region(it).size }
-            costs += MergeCost(samples, pieces.map { it.fragments }, merged.seconds)
-            val cells = numbers.mapIndexed { i, number -> cell(setUp, number, merged.value[i]) }
-            return Timed(RunPiece(cells), merged.seconds)
-        }
+        return held to rounds
     }
 
     /** What is broadcast, in one JVM. */
@@ -115,9 +88,7 @@ internal class PartPictures(
         override fun doDestroy(blocking: Boolean) = Unit
     }
 
-    companion object {
-        private const val FRAGMENTS = 1
-        private val NO_WORK = PixelBlock.work(Counters.NONE)
+    private companion object {
         private val threads = ManagementFactory.getThreadMXBean()
 
         /** Calls [work], and returns its result with the processor time of this thread. */
@@ -125,12 +96,6 @@ internal class PartPictures(
             val start = threads.currentThreadCpuTime
             val value = work()
             return Timed(value, (threads.currentThreadCpuTime - start) / 1e9)
-        }
-
-        private fun cell(setUp: PictureSetUp, number: Int, part: BandPart): RunPiece.Cell {
-            var fragments = 0L
-            part.runs.forEach(setUp.region(number)) { _, _, _, _ -> fragments++ }
-            return RunPiece.Cell(number, part, fragments)
         }
     }
 }

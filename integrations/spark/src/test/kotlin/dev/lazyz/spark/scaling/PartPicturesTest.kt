@@ -1,25 +1,22 @@
 package dev.lazyz.spark.scaling
 
-import dev.lazyz.spark.scaling.PartPictures.RunCompositing
 import dev.lazyz.spark.triangles.BandSamples
-import dev.lazyz.spark.triangles.PictureSetUp
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class PartPicturesTest {
-    private val pictures = PartPictures(BumpySphere(rings = 20), 256, 128, strips = 16, bandRows = 32)
-    private val network = Network(1e9, 1e-3)
+    private val pictures = PartPictures(BumpySphere(rings = 20), 256, 128, bandRows = 32)
     private val parts = 8
 
     /** The keys and colours of all samples, in a hash. */
-    private fun hash(setUp: PictureSetUp, pieces: List<RunPiece>): Int {
-        val all = pieces.flatMap { it.cells }.sortedBy { it.number }
-        assertEquals(all.map { it.number }.distinct().size, all.size)
+    private fun hash(pieces: List<Held>): Int {
+        val all = pieces.sortedBy { it.key.band }
+        assertEquals(all.map { it.key.band }.distinct().size, all.size)
         val seen = ArrayList<Any>()
-        for (cell in all) {
-            val samples = BandSamples(setUp.drawing().raster, setUp.region(cell.number))
-            samples.add(cell.part.runs)
+        for (piece in all) {
+            val samples = BandSamples(pictures.setUp.drawing().raster, pictures.setUp.region(piece.key.band))
+            samples.add(piece.part.runs)
             samples.forEachRow { y, argb, depth, primitive ->
                 seen.add(listOf(y, argb.contentHashCode(), depth.contentHashCode(), primitive.contentHashCode()))
             }
@@ -30,22 +27,22 @@ class PartPicturesTest {
 
     @Test
     fun mergingInAnyOrderGivesThePictureOfOneRendering() {
-        val expected = hash(pictures.bandSetUp, listOf(pictures.draw(0, 1, Split.RANGES).bands))
+        val expected = hash(pictures.draw(0, 1, Split.RANGES).value)
         for (split in Split.entries) {
-            val drawn = List(parts) { pictures.draw(it, parts, split).bands }
-            val bands = drawn.map { one -> one.cells.associate { it.number to RunPiece(listOf(it)) } }
+            val drawn = (0 until parts).flatMap { pictures.draw(it, parts, split).value }
             for (fanIn in listOf(2, 3, 8)) {
-                val tree = MergeSimulation(RunCompositing(pictures.bandSetUp, ArrayList()), network)
-                    .tree(bands, pictures.bandSetUp.bands, fanIn)
-                assertEquals(expected, hash(pictures.bandSetUp, tree.pieces)) { "$split $fanIn" }
-            }
-            val strips = drawn.map(pictures::strips)
-            for (factors in listOf(listOf(2, 2, 2), listOf(8), listOf(4, 2), listOf(2, 4))) {
-                val swap =
-                    MergeSimulation(RunCompositing(pictures.stripSetUp, ArrayList()), network).swap(strips, factors)
-                assertEquals(expected, hash(pictures.stripSetUp, swap.pieces)) { "$split $factors" }
+                val (pieces, rounds) = pictures.merged(drawn, parts, fanIn)
+                assertEquals(expected, hash(pieces)) { "$split $fanIn" }
+                assertEquals(mapOf(2 to listOf(8, 8, 4), 3 to listOf(8, 4), 8 to listOf(4))[fanIn], rounds.map { it.tasks })
             }
         }
+    }
+
+    /** What is merged where it was drawn is not sent. */
+    @Test
+    fun onePartSendsNothing() {
+        val round = pictures.merged(pictures.draw(0, 1, Split.RANGES).value, 1).second.single()
+        assertEquals(0L, round.bytes)
     }
 
     @Test
