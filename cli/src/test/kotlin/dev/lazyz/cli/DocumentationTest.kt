@@ -7,11 +7,10 @@ import kotlin.io.path.readText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** `docs/cli.md` and `--help` describe the same flags. */
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class DocumentationTest {
     private val page: String = ProjectFiles.root.resolve("docs/cli.md").readText()
 
@@ -56,6 +55,7 @@ class DocumentationTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun keysOfAComparisonAreListed() {
         val json = zcli("compare", "teapot", "--size", "4x3", "--strategy", "zbuffer", "--json").done().text
         val own = Regex("\"(\\w+)\":").findAll(json).map { it.groupValues[1] }.toSet()
@@ -65,6 +65,7 @@ class DocumentationTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun keysOfADifferenceAreListed(@TempDir folder: Path) {
         val pictures = listOf("red", "blue").map { color ->
             folder.resolve("$color.png").also {

@@ -6,6 +6,7 @@ import kotlin.io.path.exists
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** `--fail-blank` in all commands that render. */
@@ -36,6 +37,7 @@ class FailBlankTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun picturesOfOneColourAreErrorsToo() {
         val white = arrayOf("--color", "white", "--light", "flat")
         for (words in listOf(

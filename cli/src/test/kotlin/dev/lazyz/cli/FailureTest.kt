@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** Failures in the middle of a run. */
@@ -81,6 +82,7 @@ class FailureTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun outOfMemoryIsReportedInWords() = withRenderers(folder, GreedyRenderer::class.java.name) {
         zcli("render", "teapot", "--strategy", "greedy", "-o", folder.resolve("x.png"))
             .mistake("out of memory (Java heap space)", "-Xmx", "smaller --size")

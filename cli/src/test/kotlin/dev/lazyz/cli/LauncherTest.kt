@@ -174,7 +174,7 @@ class LauncherTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun collectorOfOnesOwn() = render(OFF + ("ZCLI_JAVA_OPTIONS" to "-XX:+UseParallelGC -Xmx64m"))
 
     @Test

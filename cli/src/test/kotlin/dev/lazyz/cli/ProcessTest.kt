@@ -87,7 +87,7 @@ class ProcessTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aTerminatedProcessLeavesNoFile() {
         val process = startLargePicture()
         process.destroy()
@@ -149,14 +149,14 @@ class ProcessTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun exitCodeOfAMistake() {
         assertEquals(2, start("render", "teapto", "-o", "x.png").code())
         assertTrue(errors.startsWith("zcli: error: "), errors)
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun fullDevice() {
         assumeTrue(Path.of("/dev/full").exists())
         val process = start(listOf("scenes")) { redirectOutput(File("/dev/full")) }

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 class ProgressTest {
@@ -122,6 +123,7 @@ class ProgressTest {
 
     /** A clock that moves by a second each time makes each step of the progress visible. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun shadowsHaveAPercentage() {
         val streams = streams(isTerminal = true) { time.addAndGet(1_000_000_000) }
         val shadows = arrayOf("--ambient-occlusion", "--ground-shadow", "--size", "9x9", "--threads", "1")

@@ -142,7 +142,7 @@ class AsATestTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun whatIsNotFollowedIsAbortedWithTheReason() {
         val memory = "rule_8_3_workingMemoryIsReported"
         val results = run(memory, nearest, counts, subject = Secretive::class, tries = "0.3")

@@ -7,9 +7,8 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.assertThrows
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class KeySortTest {
     private val random = Random(1)
     private val inputs = mapOf<String, (Int) -> Long>(
@@ -34,6 +33,7 @@ class KeySortTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aSortEndsAtACheckpointAmongManyKeys() {
         for ((name, key) in inputs) {
             var passed = 0

@@ -53,6 +53,7 @@ class StrategyCostsTest {
     /** Depths of layers that overlap are compared with all tests and conventions alike. */
     @ParameterizedTest
     @CsvSource("warnock, 20, 600", "hierarchical, 5, 3276")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun everyDepthTestRejects(id: String, steepness: Double, mostForComparing: Int) {
         for (test in DepthTest.entries) {
             for (convention in DepthConvention.entries) {

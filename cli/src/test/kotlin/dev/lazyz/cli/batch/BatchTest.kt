@@ -216,6 +216,7 @@ class BatchTest {
 
     /** A texture that needs more memory than files of this size usually do. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun anInputThatNeedsMoreMemoryThanUsualIsReadAgain() {
         ImageIO.write(BufferedImage(1100, 1100, BufferedImage.TYPE_INT_RGB), "png", folder.resolve("t.png").toFile())
         folder.resolve("t.mtl").writeText("newmtl m\nmap_Kd t.png\n")

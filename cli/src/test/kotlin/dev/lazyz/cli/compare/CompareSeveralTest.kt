@@ -20,11 +20,10 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** `zcli compare` on several files, folders and views. */
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class CompareSeveralTest {
     @TempDir
     lateinit var folder: Path
@@ -62,6 +61,7 @@ class CompareSeveralTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun foldersAreWalkedInOrder() {
         val files = models()
         val run = compare(folder.resolve("models"), "teapot").done()

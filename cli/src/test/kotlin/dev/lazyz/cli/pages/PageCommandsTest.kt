@@ -101,6 +101,7 @@ class PageCommandsTest {
         )
 
         /** The picture of a file of a failure has the size of the file. */
-        val WITHOUT_SIZE = Regex("""\bzcli(\.jar)? (render|compare|report|trace)\b(?!(.*\\\n)*.*( --size| failures/))""")
+        val WITHOUT_SIZE =
+            Regex("""\bzcli(\.jar)? (render|compare|report|trace)\b(?!(.*\\\n)*.*( --size| failures/))""")
     }
 }

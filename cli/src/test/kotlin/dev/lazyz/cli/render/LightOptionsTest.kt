@@ -168,7 +168,7 @@ class LightOptionsTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun picturesOfProductsEndInTheBackground() {
         val product = picture(cubes, "--style", "product", "--elevation", "40")
         for (x in 0 until 40) for (y in listOf(0, 29)) assertEquals(-1, product.getRGB(x, y)) { "($x, $y)" }
@@ -189,7 +189,7 @@ class LightOptionsTest {
 
     /** Planes that the user chose cut the model, and the ground does not change that. */
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun thePlanesOfTheUserStay() {
         val planes = arrayOf("--eye", "0.5,1,9", "--near", "8.4", "--far", "20", "--aa", "1")
         val cut = argb(cubes, *planes)
@@ -228,7 +228,7 @@ class LightOptionsTest {
 
     /** Surfaces that are rendered as opaque have shadows. */
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun opaqueSurfacesHaveShadows() {
         val glass = model("pane", "Kd 0.5 0.5 0.5\nd 0.5")
         val dark = argb(glass, "--ground-shadow", "--opaque").filter { it != -1 }.size
@@ -251,7 +251,7 @@ class LightOptionsTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun allStrategiesGiveTheSamePicture() {
         zcli("compare", cubes, "--size", "40x30", "--style", "product").done()
     }

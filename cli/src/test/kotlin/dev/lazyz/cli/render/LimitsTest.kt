@@ -72,6 +72,7 @@ class LimitsTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun limitsApplyToModelsThatAreReadPartByPart() {
         val model = folder.resolve("hills.stl").apply { writeBytes(Hills(2).stl()) }
         for ((flag, enough) in listOf("--max-triangles" to 8, "--max-vertices" to 24)) {

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** What outputs replace, and what they never do. */
@@ -76,6 +77,7 @@ class OverwritingTest {
 
     /** The folder of the tiles is replaced as a whole. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun noPyramidReplacesWhatIsReadFromItsTiles() {
         val dzi = folder.resolve("x.dzi")
         zcli("render", "teapot", "--size", "9", "-o", dzi).done()

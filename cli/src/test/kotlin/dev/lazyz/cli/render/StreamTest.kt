@@ -105,7 +105,7 @@ class StreamTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun translucentSurfacesBlend() {
         model.writeBytes(Hills(40).stl())
         for (options in listOf(

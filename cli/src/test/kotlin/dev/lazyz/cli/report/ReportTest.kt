@@ -31,6 +31,7 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** Correct only the first time. */
@@ -85,6 +86,7 @@ class ReportTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun numbersAreThoseOfTheOtherCommands() {
         report("city").done()
         val page = page()
@@ -115,6 +117,7 @@ class ReportTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun chartsShowTheTable() {
         report("city").done()
         val page = page()
@@ -132,6 +135,7 @@ class ReportTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun mapsShowWhereAndWhen() {
         report("city").done()
         val page = page()
@@ -193,12 +197,14 @@ class ReportTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aDifferenceOfDepthAloneIsOne() = withRenderers(folder, WrongDepthRenderer::class.java.name) {
         assertEquals(ExitCode.DIFFERENT, report("teapot", "--strategy", "lazy", "--strategy", "wrong-depth").code)
         assertEquals("different", page().rows.getValue("wrong-depth")[0])
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aDifferenceThatComesAndGoesIsOne() = withRenderers(folder, WrongLaterRenderer::class.java.name) {
         // The first picture is right, and the one on the page is not
         assertEquals(ExitCode.DIFFERENT, report("teapot", "--strategy", "lazy", "--strategy", "wrong-later").code)
@@ -218,6 +224,7 @@ class ReportTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun withSeveralSamplesAPixelOrdersAreLeftOut() {
         report("teapot", "--aa", "2", "--strategy", "zbuffer", "--strategy", "lazy").done()
         val page = page()
@@ -240,6 +247,7 @@ class ReportTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun visiblePartsAreNamed() {
         val input = folder.resolve("parts.obj")
         val corners = "v -3 0 0\nv -1 0 0\nv -1 2 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 0 9 -9\nv 0 9 -8\n"

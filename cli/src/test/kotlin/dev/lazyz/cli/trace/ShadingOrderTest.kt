@@ -18,10 +18,9 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** In which order strategies shade, and what for nothing. */
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class ShadingOrderTest {
     private val frames: Map<String, Frame> =
         Scenes.builtins.associate { it.id to it.scene().frame(96, 64) }.filterValues { !it.hasTranslucency }
@@ -44,6 +43,7 @@ class ShadingOrderTest {
     private fun places(order: ShadingOrder) = IntArray(order.size) { order.place(it) }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun lazyShadesInTheOrderOfScanline() {
         assertTrue(frames.size >= 5, "${frames.keys}")
         for ((name, frame) in frames) {
@@ -56,6 +56,7 @@ class ShadingOrderTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun strategiesThatShadeLateDiscardNothing() {
         for ((name, frame) in frames) {
             for (id in listOf("lazy", "flow", "scanline", "tiled", "hybrid", "lists", "warnock", "hierarchical")) {

@@ -11,11 +11,10 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** `zcli trace`. */
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class TraceTest {
     @TempDir
     lateinit var folder: Path
@@ -71,6 +70,7 @@ class TraceTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun discardedCallsArePinkAndTwoStrategiesAreSideBySide() {
         val text = trace("city", "two.gif", "--strategy", "zbuffer,scanline").done().text
         val repeated = trace("city", "again.gif", "--strategy", "zbuffer", "--strategy", "scanline")

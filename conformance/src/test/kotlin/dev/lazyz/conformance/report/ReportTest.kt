@@ -33,11 +33,10 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /** A report in its four formats, and on disk. */
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class ReportTest {
     @TempDir
     lateinit var folder: Path
@@ -103,6 +102,7 @@ class ReportTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun sceneFileOfAFailureReproducesTheDifference() {
         val ties = BasicMistakes.lastWinsTies()
         for ((rule, wrong) in mapOf("5.2" to ties, "7.4" to MannerMistakes.regionOffsetTwice())) {

@@ -16,10 +16,9 @@ import kotlin.io.path.writeLines
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /** Finds the rule that a mistake is about, among all the rules that it breaks. */
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class DiagnosisTest {
     private val names = RuleNames
 
@@ -134,6 +133,7 @@ class DiagnosisTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun reportBeginsWithTheCauseAndIsShortHoweverMuchFails() {
         val suite = Conformance { BasicMistakes.lastWinsTies() }.tries(0.02).withoutShrinking()
 

@@ -137,7 +137,7 @@ class RunTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun listenerLearnsWhatCameOfEachRule() {
         val heard = ArrayList<String>()
         val run = of { WrongColors() }.rule("9.6").rule("5.2")
@@ -197,6 +197,7 @@ class RunTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun failureThatIsNotReproducibleIsFlakyAndKeepsWhatCameBefore() {
         for (renderer in listOf(DisruptiveRenderers.racy(), DisruptiveRenderers.stateful())) {
             val result = nearest { renderer }

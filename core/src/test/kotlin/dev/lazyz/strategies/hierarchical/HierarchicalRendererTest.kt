@@ -134,6 +134,7 @@ class HierarchicalRendererTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun memoryIsTheImageAndThePyramid() {
         val counters = counted(Stacks.layers(Raster(512, 512), 100, Submission.SHUFFLED))
         val blocks = 64L * 64

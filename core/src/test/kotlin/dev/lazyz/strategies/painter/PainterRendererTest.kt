@@ -17,9 +17,8 @@ import kotlin.random.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class PainterRendererTest {
     private fun counted(frame: Frame): Counters {
         val image = PainterRenderer().render(frame)
@@ -151,6 +150,7 @@ class PainterRendererTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun looksAreBoundedWhereAllOverlapAll() {
         val random = Random(3)
         val builder = FrameBuilder(Raster(8, 8))

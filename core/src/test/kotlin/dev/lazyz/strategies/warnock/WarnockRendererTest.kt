@@ -95,6 +95,7 @@ class WarnockRendererTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun memoryIsThatOfABandAndItsSpans() {
         val counters = counted(Stacks.layers(Raster(512, 512), 100, Submission.SHUFFLED))
         val spans = 100L * 64 * 3 * Int.SIZE_BYTES

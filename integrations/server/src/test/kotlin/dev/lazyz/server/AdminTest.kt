@@ -12,6 +12,7 @@ class AdminTest {
     private val config = ServerConfig(port = 0, adminPort = 0, renders = 1, queue = 1, log = {})
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun idleConnectionsDoNotKeepTheHealthFromBeingRead() {
         RenderServer(config.withConnections(3)).start().use { server ->
             val client = Client(server)

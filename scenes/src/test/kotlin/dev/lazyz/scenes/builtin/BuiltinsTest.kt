@@ -13,11 +13,10 @@ import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.DisabledIfSystemProperty
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.MethodSource
 
-@DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
 class BuiltinsTest {
     @ParameterizedTest
     @MethodSource("builtins")
@@ -32,6 +31,7 @@ class BuiltinsTest {
 
     @ParameterizedTest
     @MethodSource("builtins")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun rendersToTheSameBitsFromASceneFile(builtin: Builtin) {
         val scene = builtin.scene()
         val back = SceneFile.parse(SceneFile.format(scene)).scene

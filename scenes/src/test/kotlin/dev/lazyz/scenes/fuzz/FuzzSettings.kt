@@ -26,6 +26,6 @@ internal class FuzzSettings {
 
     private companion object {
         /** A glance in every build. */
-        const val USUAL_SECONDS = 3.0
+        const val USUAL_SECONDS = 1.5
     }
 }

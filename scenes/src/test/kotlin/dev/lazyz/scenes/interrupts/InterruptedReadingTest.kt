@@ -18,8 +18,8 @@ import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.MethodSource
 
 /**
- * Whatever a file repeats, reading it ends soon after an interrupt. By default one input of each third format is read,
- * with `-Dlazyz.effort=rest` each fifth of all, also part by part, with `full` all.
+ * Whatever a file repeats, reading it ends soon after an interrupt. By default one input is read, with
+ * `-Dlazyz.effort=rest` each fifth of all, also part by part, with `full` all.
  */
 class InterruptedReadingTest {
     @TempDir
@@ -105,7 +105,7 @@ class InterruptedReadingTest {
         fun streamed(): List<LongInput> = chosen(LongInputs.all.filter { it.isStreamed })
 
         private fun chosen(all: List<LongInput>): List<LongInput> = when (System.getProperty("lazyz.effort")) {
-            null -> all.distinctBy { it.format }.filterIndexed { index, _ -> index % 3 == 1 }
+            null -> all.take(1)
             "rest" -> all.filterIndexed { index, _ -> index % 5 == 0 }
             else -> all
         }

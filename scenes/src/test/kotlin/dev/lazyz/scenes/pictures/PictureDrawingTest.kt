@@ -29,6 +29,7 @@ import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 import org.w3c.dom.Element
 
@@ -159,6 +160,7 @@ class PictureDrawingTest {
 
     /** A shaded picture is below the lines, the same as without lines; a technical drawing on white paper has none. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun thePictureWithoutLinesIsBelow() {
         val shaded = PictureSettings(40, 30).with(PictureParameters.EDGES, true)
         val image = root(svg(shaded)).getElementsByTagName("image").item(0) as Element

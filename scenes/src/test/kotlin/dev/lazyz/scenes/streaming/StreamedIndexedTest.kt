@@ -111,7 +111,7 @@ class StreamedIndexedTest {
     }
 
     @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun coloursOfFaces() {
         for (format in FORMATS) {
             assertSame(write("model.ply", hills(50) { haveFacesColors = true }.ply(format)), all)

@@ -8,9 +8,11 @@ import javax.imageio.ImageIO
 import kotlin.random.Random
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class PngBlocksTest {
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun severalBlocksAreOnePicture() {
         for ((width, height) in listOf(300 to 1000, 1 to 200_000, 200_000 to 3, 65_537 to 2)) {
             val argb = argb(width, height)

@@ -151,6 +151,7 @@ class DistributedPictureTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun anotherDriverContinuesWithTheParts(@TempDir folder: Path) {
         val parts = folder.resolve("parts")
         val facts = mapOf("model" to "star")

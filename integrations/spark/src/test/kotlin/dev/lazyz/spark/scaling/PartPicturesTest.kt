@@ -33,7 +33,8 @@ class PartPicturesTest {
             for (fanIn in listOf(2, 3, 8)) {
                 val (pieces, rounds) = pictures.merged(drawn, parts, fanIn)
                 assertEquals(expected, hash(pieces)) { "$split $fanIn" }
-                assertEquals(mapOf(2 to listOf(8, 8, 4), 3 to listOf(8, 4), 8 to listOf(4))[fanIn], rounds.map { it.tasks })
+                val tasks = mapOf(2 to listOf(8, 8, 4), 3 to listOf(8, 4), 8 to listOf(4))[fanIn]
+                assertEquals(tasks, rounds.map { it.tasks })
             }
         }
     }

@@ -5,8 +5,8 @@ import org.apache.spark.api.java.JavaSparkContext
 import org.apache.spark.sql.SparkSession
 
 /**
- * Prints the data of `docs/spark-scaling.md`: what parts of a picture take that are drawn and merged, and what the sum of
- * all steps is for more executors and triangles.
+ * Prints the data of `docs/spark-scaling.md`: what parts of a picture take that are drawn and merged, and what the sum
+ * of all steps is for more executors and triangles.
  */
 internal fun main() {
     val measured = PartPictures(BumpySphere(RINGS), SIDE, SIDE)
@@ -16,7 +16,8 @@ internal fun main() {
     println("parts,near: draw s,model,bytes of a part,a round s,mixed: draw s,bytes of a part,a round s")
     for ((cost, mixed) in near.zip(all.getValue(Split.SCATTERED))) {
         val model = drawing(near).invoke(TRIANGLES / cost.parts)
-        println("${cost.parts},${cost.draw},$model,${cost.bytes},${cost.round},${mixed.draw},${mixed.bytes},${mixed.round}")
+        val scattered = with(mixed) { "$draw,$bytes,$round" }
+        println("${cost.parts},${cost.draw},$model,${cost.bytes},${cost.round},$scattered")
     }
     val task = taskSeconds()
     println("\ntask s\n$task\n\ntriangles,executors,read s,draw s,merge and network s,tasks s,total s,of ideal")
