@@ -85,7 +85,7 @@ configure(subprojects.filter { it.name != "bom" }) {
         useJUnitPlatform()
         jvmArgs("--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC", "-XX:MarkSweepAlwaysCompactCount=1")
         // Many short tests take twice the processor time with the optimizing compiler
-        jvmArgs("-XX:TieredStopAtLevel=1", "-XX:MaxVectorSize=8")
+        jvmArgs("-XX:TieredStopAtLevel=1", "-XX:CompileThresholdScaling=0.1", "-XX:MaxVectorSize=8")
         maxParallelForks = 1
         include("**/*Test.class", "**/*Properties.class", "**/*Example.class")
         systemProperty("jqwik.database", "")

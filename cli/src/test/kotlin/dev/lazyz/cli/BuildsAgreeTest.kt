@@ -304,13 +304,8 @@ class BuildsAgreeTest {
     private companion object {
         val DEPENDENCY = Regex(""""?(\w+)"?\((.*)\)""")
         val SCOPES = mapOf(
-            "api" to "compile",
-            "implementation" to "compile",
-            "compileOnly" to "provided",
-            "runtimeOnly" to "runtime",
-            "annotationProcessor" to "processor",
-            "testImplementation" to "test",
-            "testRuntimeOnly" to "test",
+            "api" to "compile", "implementation" to "compile", "compileOnly" to "provided", "runtimeOnly" to "runtime",
+            "annotationProcessor" to "processor", "testImplementation" to "test", "testRuntimeOnly" to "test",
         )
 
         /** Surefire includes the launcher. */

@@ -54,28 +54,11 @@ class ColdStartTest {
         val JAVA = listOf("java.", "javax.", "jdk.", "sun.", "com.sun.")
 
         val HEAVY = listOf(
-            "java.awt.",
-            "javax.imageio.",
-            "sun.awt.",
-            "sun.java2d.",
-            "java.security.SecureRandom",
-            "kotlinx.",
-            "de.javagl.",
-            "com.fasterxml.",
-            "com.github.ajalt.mordant.",
-            "io.github.earcut4j.",
-            "net.jqwik.",
-            "org.joml.Matrix",
-            "org.joml.Options",
-            "org.junit.",
-            "dev.lazyz.conformance.",
-            "dev.lazyz.scenes.gltf.",
-            "dev.lazyz.scenes.obj.",
-            "dev.lazyz.scenes.off.",
-            "dev.lazyz.scenes.ply.",
-            "dev.lazyz.scenes.scenefile.",
-            "dev.lazyz.scenes.stl.",
-            "dev.lazyz.scenes.threemf.",
+            "java.awt.", "javax.imageio.", "sun.awt.", "sun.java2d.", "java.security.SecureRandom", "kotlinx.",
+            "de.javagl.", "com.fasterxml.", "com.github.ajalt.mordant.", "io.github.earcut4j.", "net.jqwik.",
+            "org.joml.Matrix", "org.joml.Options", "org.junit.", "dev.lazyz.conformance.", "dev.lazyz.scenes.gltf.",
+            "dev.lazyz.scenes.obj.", "dev.lazyz.scenes.off.", "dev.lazyz.scenes.ply.", "dev.lazyz.scenes.scenefile.",
+            "dev.lazyz.scenes.stl.", "dev.lazyz.scenes.threemf.",
         )
     }
 }

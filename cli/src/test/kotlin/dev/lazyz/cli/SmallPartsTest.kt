@@ -52,12 +52,8 @@ class SmallPartsTest {
     @Test
     fun bytesAreReadable() {
         val expected = mapOf(
-            0L to "0 bytes",
-            1023L to "1023 bytes",
-            1024L to "1.0 KiB",
-            3_686_400L to "3.5 MiB",
-            12L shl 36 to "768.0 GiB",
-            Long.MAX_VALUE / 16 to "524287.9 TiB",
+            0L to "0 bytes", 1023L to "1023 bytes", 1024L to "1.0 KiB", 3_686_400L to "3.5 MiB",
+            12L shl 36 to "768.0 GiB", Long.MAX_VALUE / 16 to "524287.9 TiB",
         )
         for ((bytes, text) in expected) assertEquals(text, Bytes.readable(bytes))
     }
@@ -65,20 +61,9 @@ class SmallPartsTest {
     @Test
     fun bytesAreRead() {
         val expected = mapOf(
-            "0" to 0L,
-            "65536" to 65_536L,
-            "100 bytes" to 100L,
-            "7b" to 7L,
-            "64k" to 65_536L,
-            "64K" to 65_536L,
-            "1ki" to 1024L,
-            "1 KiB" to 1024L,
-            "16m" to (16L shl 20),
-            "16MiB" to (16L shl 20),
-            "3g" to (3L shl 30),
-            "2T" to (2L shl 40),
-            "8388607t" to (8_388_607L shl 40),
-            "8388608t" to Long.MAX_VALUE,
+            "0" to 0L, "65536" to 65_536L, "100 bytes" to 100L, "7b" to 7L, "64k" to 65_536L, "64K" to 65_536L,
+            "1ki" to 1024L, "1 KiB" to 1024L, "16m" to (16L shl 20), "16MiB" to (16L shl 20), "3g" to (3L shl 30),
+            "2T" to (2L shl 40), "8388607t" to (8_388_607L shl 40), "8388608t" to Long.MAX_VALUE,
             "99999999999999999999" to Long.MAX_VALUE,
         )
         for ((text, bytes) in expected) assertEquals(bytes, Bytes.parse(text), text)

@@ -25,16 +25,11 @@ class SuiteRun private constructor(val report: ConformanceReport) {
 
         /** Rules that take seconds for any number of tries. */
         val longRules: List<String> = listOf(
-            "rule_1_1_thousandsOfTilesAreDrawnCorrectly",
-            "rule_8_1_promiseToStreamPrimitivesIsKept",
-            "rule_7_9_renderingsHoldNoMoreMemory",
-            "rule_7_3_promiseOfConstantMemoryIsKept",
-            "rule_1_1_columnsAndRowsAreNotTruncated",
-            "rule_5_3_allPairsOnATinyRasterAreDrawnCorrectly",
-            "rule_6_6_texturesAreReadWithTheirOwnFootprints",
-            "rule_9_4_indicesAreNotTruncated",
-            "rule_7_5_tilesOfEverySizeGiveTheSamePicture",
-            "rule_9_4_indicesAboveTwoToThe24AreExact",
+            "rule_1_1_thousandsOfTilesAreDrawnCorrectly", "rule_8_1_promiseToStreamPrimitivesIsKept",
+            "rule_7_9_renderingsHoldNoMoreMemory", "rule_7_3_promiseOfConstantMemoryIsKept",
+            "rule_1_1_columnsAndRowsAreNotTruncated", "rule_5_3_allPairsOnATinyRasterAreDrawnCorrectly",
+            "rule_6_6_texturesAreReadWithTheirOwnFootprints", "rule_9_4_indicesAreNotTruncated",
+            "rule_7_5_tilesOfEverySizeGiveTheSamePicture", "rule_9_4_indicesAboveTwoToThe24AreExact",
         )
 
         /** The names of the other rules. */

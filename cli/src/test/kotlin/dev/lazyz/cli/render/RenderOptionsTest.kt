@@ -110,13 +110,8 @@ class RenderOptionsTest {
     @Test
     fun eachViewIsAzimuthAndElevation() {
         val views = mapOf(
-            "front" to ("0" to "0"),
-            "back" to ("180" to "0"),
-            "left" to ("-90" to "0"),
-            "right" to ("90" to "0"),
-            "top" to ("0" to "90"),
-            "bottom" to ("0" to "-90"),
-            "iso" to ("45" to "35.264389682754654"),
+            "front" to ("0" to "0"), "back" to ("180" to "0"), "left" to ("-90" to "0"), "right" to ("90" to "0"),
+            "top" to ("0" to "90"), "bottom" to ("0" to "-90"), "iso" to ("45" to "35.264389682754654"),
         )
         val hashes = views.map { (view, angles) ->
             val hash = hash("--view", view)

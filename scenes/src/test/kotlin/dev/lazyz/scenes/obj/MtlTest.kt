@@ -121,12 +121,8 @@ class MtlTest {
     @Test
     fun textureNamesMayHaveSpacesAndOptions() {
         val maps = listOf(
-            "own.png",
-            "tex\\dark oak.png",
-            ".\\TEX\\Dark Oak.png",
-            "-bm 1 -s 1 1 1 tex/dark oak.png",
-            "-imfchan l -mm 0 1 own.png",
-            "wood.png",
+            "own.png", "tex\\dark oak.png", ".\\TEX\\Dark Oak.png", "-bm 1 -s 1 1 1 tex/dark oak.png",
+            "-imfchan l -mm 0 1 own.png", "wood.png",
         )
         for (map in maps) {
             assertNotNull(mesh("map_Kd $map", "lib/m.mtl").material.texture, map)

@@ -110,13 +110,9 @@ class PlyParserTest {
     @Test
     fun everyTypeUnderBothNamesIsRead() {
         val limits = mapOf(
-            PlyType.CHAR to listOf(-128, 127),
-            PlyType.UCHAR to listOf(0, 255),
-            PlyType.SHORT to listOf(-32768, 32767),
-            PlyType.USHORT to listOf(0, 65535),
-            PlyType.INT to listOf(Int.MIN_VALUE, Int.MAX_VALUE),
-            PlyType.UINT to listOf(0, 4294967295L),
-            PlyType.FLOAT to listOf(-1.5, 0.1f),
+            PlyType.CHAR to listOf(-128, 127), PlyType.UCHAR to listOf(0, 255), PlyType.SHORT to listOf(-32768, 32767),
+            PlyType.USHORT to listOf(0, 65535), PlyType.INT to listOf(Int.MIN_VALUE, Int.MAX_VALUE),
+            PlyType.UINT to listOf(0, 4294967295L), PlyType.FLOAT to listOf(-1.5, 0.1f),
             PlyType.DOUBLE to listOf(1e-3, 1e30),
         )
         for ((type, numbers) in limits) {

@@ -8,7 +8,7 @@ import org.apache.spark.sql.SparkSession
  * Prints the data of `docs/spark-scaling.md`: what parts of a picture take that are drawn and merged, and what the sum
  * of all steps is for more executors and triangles.
  */
-internal fun main() {
+fun main() {
     val measured = PartPictures(BumpySphere(RINGS), SIDE, SIDE)
     repeat(2) { for (split in Split.entries) measure(PartPictures(BumpySphere(RINGS / 3), SIDE, SIDE), split, 4) }
     val all = Split.entries.associateWith { split -> PARTS.map { measure(measured, split, it) } }
