@@ -84,7 +84,11 @@ internal class PngFilter(private val width: Int, private val channels: Int) {
         if (type != SUB && type != UP) return false
         var i = 1
         for (x in 0 until width) {
-            val near = if (type == UP) argb[x] else if (x > 0) argb[x - 1] else 0
+            val near = when {
+                type == UP -> argb[x]
+                x > 0 -> argb[x - 1]
+                else -> 0
+            }
             var color = if (channels == 4) 0 else OPAQUE
             for (channel in 0 until channels) {
                 val shift = SHIFTS[channel]
