@@ -244,6 +244,13 @@ class LauncherTest {
         )
         for (words in short) assertTrue(isShort(*words.split(' ').toTypedArray()), words)
         for (words in long) assertFalse(isShort(*words.split(' ').toTypedArray()), words)
+
+        // Reading two megabytes is worth compiling loops that run once
+        folder.resolve("middle.obj").writeText("#".repeat(2 shl 20))
+        for ((file, isEarly) in mapOf("middle.obj" to true, "small.obj" to false)) {
+            assertTrue(isShort("render", file))
+            assertEquals(isEarly, "-XX:Tier3BackEdgeThreshold=" in folder.resolve("output").readText())
+        }
         assertFalse(isShort("render", "teapot", options = "-Dzcli.kernel=vector"))
     }
 
