@@ -3,6 +3,8 @@ module dev.lazyz.scenes {
     requires transitive dev.lazyz.core;
     requires transitive java.desktop;
     requires java.xml;
+    // Without it, the memory of decoders of WebP is not limited
+    requires static jdk.management;
     requires com.fasterxml.jackson.core;
     requires com.twelvemonkeys.imageio.webp;
     // These have no descriptors; their names are those of the files

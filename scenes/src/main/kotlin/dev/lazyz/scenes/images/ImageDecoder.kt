@@ -2,6 +2,7 @@ package dev.lazyz.scenes.images
 
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.loading.FileReferences
+import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter
@@ -32,14 +33,14 @@ internal object ImageDecoder {
     /**
      * Returns what [convert] makes of the image in [bytes], or null if it cannot be decoded.
      *
-     * @param admit is given the number of pixels before they are decoded; throws [SceneFormatException] if they are
-     *   too many
+     * @param admit is given the number of pixels before they are decoded, and the bytes that the decoder needs for
+     *   them; throws [SceneFormatException] if they are too many
      * @param look called for each row that is decoded; throws [SceneFormatException] to end the decoding
      * @throws OutOfMemoryError if the memory is too small for the image, even if the reader hides that
      */
     fun <T> decode(
         bytes: ByteArray,
-        admit: (pixels: Long) -> Unit,
+        admit: (pixels: Long, bytes: Long) -> Unit,
         look: () -> Unit = {},
         convert: (BufferedImage) -> T,
     ): T? = try {
@@ -66,21 +67,22 @@ internal object ImageDecoder {
 
     private fun <T> read(
         bytes: ByteArray,
-        admit: (pixels: Long) -> Unit,
+        admit: (pixels: Long, bytes: Long) -> Unit,
         look: () -> Unit,
         convert: (BufferedImage) -> T,
     ): T? {
-        val reader = if (WebPImage.isWebP(bytes)) WebPImage.reader(bytes, look) else readerOf(bytes)
+        val isWebP = WebPImage.isWebP(bytes)
+        val reader = if (isWebP) WebPImage.reader(bytes, look) else readerOf(bytes)
         if (reader == null) {
             return TgaImage.of(bytes)?.let {
-                admit(it.pixels)
+                admit(it.pixels, Loading.DECODING_BYTES * it.pixels)
                 convert(it.decode())
             }
         }
         try {
             val pixels = reader.getWidth(0).toLong() * reader.getHeight(0)
             if (pixels > MAX_PIXELS || pixels > bytes.size * MAX_PIXELS_PER_BYTE) return null
-            admit(pixels)
+            admit(pixels, if (isWebP) WebPImage.memory(bytes) else Loading.DECODING_BYTES * pixels)
             val rows = Rows(look)
             reader.addIIOReadProgressListener(rows)
             val image = reader.read(0)
@@ -151,7 +153,8 @@ internal object TextureFiles {
      */
     fun decode(source: Source, bytes: ByteArray, name: String): Texture? =
         ImageDecoder.decode(
-            bytes, admit = { source.loading.texels(source, it) }, look = { source.loading.look(source.name) },
+            bytes, admit = { pixels, memory -> source.loading.texels(source, pixels, memory) },
+            look = { source.loading.look(source.name) },
         ) { image ->
             val texels = Texels.of(image) { source.step(image.width) }
             Texture(image.width, image.height, texels, name = name, mipFilter = MipFilter.ANISOTROPIC)

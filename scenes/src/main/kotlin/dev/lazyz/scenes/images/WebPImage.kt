@@ -1,6 +1,8 @@
 package dev.lazyz.scenes.images
 
+import com.sun.management.ThreadMXBean
 import com.twelvemonkeys.imageio.plugins.webp.WebPImageReaderSpi
+import java.lang.management.ManagementFactory
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import javax.imageio.IIOException
@@ -23,6 +25,11 @@ internal object WebPImage {
     /** How many bytes the decoder reads ahead, and after how many it looks, less 1. */
     private const val AHEAD = 16
     private const val LOOK_EVERY = 0xFFL
+
+    /** Bytes for tables of codes, of which encoders write some thousands, and for each pixel. */
+    private const val MOST_TABLES = 32L shl 20
+    private const val LOSSLESS_PIXEL = 12L
+    private const val LOSSY_PIXEL = 96L
 
     /** The bytes at the start of each key frame, and of lossless data. */
     private val KEY_FRAME = byteArrayOf(0x9D.toByte(), 0x01, 0x2A)
@@ -62,9 +69,43 @@ internal object WebPImage {
         )
     }
 
-    /** Returns a reader of the file that [needed] has returned. [look] is called now and then while it reads. */
-    fun reader(needed: ByteArray, look: () -> Unit): ImageReader =
-        WebPImageReaderSpi().createReaderInstance(null).apply { input = Bytes(needed, look) }
+    /**
+     * Returns a reader of the file that [needed] has returned, for this thread. [look] is called now and then while it
+     * reads. A file whose tables of codes take more memory than those of any honest file is damaged.
+     */
+    fun reader(needed: ByteArray, look: () -> Unit): ImageReader {
+        val most = allocated() + 2 * memory(needed)
+        val stream = Bytes(needed) {
+            look()
+            if (allocated() > most) throw IIOException("the tables of codes are too large")
+        }
+        return WebPImageReaderSpi().createReaderInstance(null).apply { input = stream }
+    }
+
+    /** Returns the bytes that it takes to decode the file from [needed], at most. */
+    fun memory(needed: ByteArray): Long =
+        MOST_TABLES + pixels(needed) * if (name("VP8L").isAt(needed, FILE_HEADER)) LOSSLESS_PIXEL else LOSSY_PIXEL
+
+    /** The number of pixels that the file says it has. */
+    private fun pixels(needed: ByteArray): Long {
+        val buffer = ByteBuffer.wrap(needed).order(ByteOrder.LITTLE_ENDIAN)
+        val at = FILE_HEADER + CHUNK
+        if (name("VP8L").isAt(needed, FILE_HEADER)) {
+            val sides = buffer.getInt(at + 1)
+            return (1L + (sides and SIDE_BITS)) * (1 + (sides ushr 14 and SIDE_BITS))
+        }
+        if (name("VP8X").isAt(needed, FILE_HEADER)) {
+            return (1L + (buffer.getShort(at + 4).toInt() and 0xFFFF)) * (1 + (buffer.getShort(at + 7).toInt() and 0xFFFF))
+        }
+        return (buffer.getShort(at + 6).toLong() and SIDE_BITS.toLong()) * (buffer.getShort(at + 8).toInt() and SIDE_BITS)
+    }
+
+    /** Bytes that this thread has allocated so far, or 0 if this JVM does not count them. */
+    private fun allocated(): Long = try {
+        (ManagementFactory.getThreadMXBean() as? ThreadMXBean)?.getThreadAllocatedBytes(Thread.currentThread().id) ?: 0
+    } catch (_: LinkageError) {
+        0
+    }
 
     /** Returns where the contents of the chunks from [from] on are, by their names; of several, the first. */
     private fun chunks(bytes: ByteArray, from: Int, until: Int): Map<String, IntRange> {

@@ -82,11 +82,14 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         decode(source, count * ITEM_BYTES)
     }
 
-    /** Adds [count] texels; fails if [source] then exceeds a limit. Call it before allocating memory for them. */
-    fun texels(source: Source, count: Long) {
+    /**
+     * Adds [count] texels, for which a decoder needs so many bytes; fails if [source] then exceeds a limit. Call it
+     * before allocating memory for them.
+     */
+    fun texels(source: Source, count: Long, decoding: Long = count * DECODING_BYTES) {
         used = used.copy(texels = used.texels + count)
         check(source, used.texels, limits.texels, "pixels of textures", "texels", "--max-texels", MORE_MEMORY)
-        used = used.copy(decoding = maxOf(used.decoding, count * DECODING_BYTES))
+        used = used.copy(decoding = maxOf(used.decoding, decoding))
         decode(source, count * TEXEL_BYTES)
     }
 
@@ -187,8 +190,8 @@ internal class Loading(val options: LoadOptions = LoadOptions()) {
         /** A texel and its part of the mip levels. */
         private const val TEXEL_BYTES = 6L
 
-        /** The decoder's image, of which there is only one at a time. */
-        private const val DECODING_BYTES = 6L
+        /** A pixel of the decoder's image, of which there is only one at a time. */
+        const val DECODING_BYTES: Long = 6
     }
 }
 

@@ -105,7 +105,7 @@ public class Picture private constructor(public val width: Int, public val heigh
         @JvmOverloads
         @Throws(SceneFormatException::class)
         public fun decode(bytes: ByteArray, name: String = "<bytes>"): Picture =
-            PpmDecoder.decode(bytes, name) ?: ImageDecoder.decode(bytes, admit = {}) { image ->
+            PpmDecoder.decode(bytes, name) ?: ImageDecoder.decode(bytes, admit = { _, _ -> }) { image ->
                 if (Texels.isWide(image)) {
                     val argb = Texels.wide(image)
                     Picture(image.width, image.height) { argb[it] }

@@ -141,7 +141,7 @@ class NeededPartsTest {
         val full = OutOfMemoryError()
         for (failure in listOf<Exception>(IIOException("a", full), RuntimeException(full))) {
             assertThrows(OutOfMemoryError::class.java) {
-                ImageDecoder.decode(png, admit = {}) { throw failure }
+                ImageDecoder.decode(png, admit = { _, _ -> }) { throw failure }
             }
         }
     }

@@ -14,6 +14,8 @@ import java.awt.image.DataBuffer
 import java.awt.image.Raster
 import java.io.ByteArrayOutputStream
 import java.lang.management.ManagementFactory
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
 import java.nio.file.Files
 import java.nio.file.Path
 import javax.imageio.IIOImage
@@ -222,12 +224,38 @@ class TextureFilesTest {
         assertTrue("LoadLimits.texels" in error.message.orEmpty(), error.message)
     }
 
+    /** A picture of one block of pixels that names the last of 65,536 groups of codes, which all follow. */
+    @Test
+    fun tablesOfWebPThatFillMemoryAreDamage() {
+        val bits = StringBuilder()
+        fun add(value: Int, count: Int) = repeat(count) { bits.append(value shr it and 1) }
+        add(0x2F, 8)
+        add(3, 14) // width and height, less 1
+        add(3, 14)
+        add(0, 4 + 1 + 1) // no alpha, version 0, nothing transformed, no cache of colours
+        add(1, 1) // several groups of codes
+        add(0, 3 + 1) // for blocks of 4 x 4 pixels; no cache
+        for (symbol in listOf(255, 255, 0, 0, 0)) {
+            add(0b101, 3) // one symbol of 8 bits
+            add(symbol, 8)
+        }
+        repeat(5 * 65_536) { add(1, 4) } // one symbol of one bit
+        val content = bits.chunked(8).map { it.reversed().toInt(2).toByte() }.toByteArray()
+        val file = ByteBuffer.allocate(20 + content.size).order(ByteOrder.LITTLE_ENDIAN)
+            .put("RIFF".toByteArray()).putInt(12 + content.size).put("WEBPVP8L".toByteArray()).putInt(content.size)
+            .put(content).array()
+        val before = allocated()
+        assertNull(TextureFiles.decode(source, file, "test"))
+        val taken = allocated() - before
+        assertTrue(taken in 60_000_000..80_000_000, "$taken bytes")
+    }
+
     @Test
     fun webPIsLeftWhenTheLoadingEnds() {
         for (name in listOf("lossless", "lossy-alpha")) {
             val ended = SceneFormatException("test", null, "ended", "again")
             val caught = assertThrows(SceneFormatException::class.java) {
-                ImageDecoder.decode(webP(name), admit = {}, look = { throw ended }) { it }
+                ImageDecoder.decode(webP(name), admit = { _, _ -> }, look = { throw ended }) { it }
             }
             assertEquals(ended, caught)
         }
