@@ -95,9 +95,11 @@ internal object WebPImage {
             return (1L + (sides and SIDE_BITS)) * (1 + (sides ushr 14 and SIDE_BITS))
         }
         if (name("VP8X").isAt(needed, FILE_HEADER)) {
-            return (1L + (buffer.getShort(at + 4).toInt() and 0xFFFF)) * (1 + (buffer.getShort(at + 7).toInt() and 0xFFFF))
+            return (1L + (buffer.getShort(at + 4).toInt() and 0xFFFF)) *
+                (1 + (buffer.getShort(at + 7).toInt() and 0xFFFF))
         }
-        return (buffer.getShort(at + 6).toLong() and SIDE_BITS.toLong()) * (buffer.getShort(at + 8).toInt() and SIDE_BITS)
+        return (buffer.getShort(at + 6).toLong() and SIDE_BITS.toLong()) *
+            (buffer.getShort(at + 8).toInt() and SIDE_BITS)
     }
 
     /** Bytes that this thread has allocated so far, or 0 if this JVM does not count them. */
