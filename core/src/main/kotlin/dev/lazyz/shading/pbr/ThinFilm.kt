@@ -32,7 +32,8 @@ internal object ThinFilm {
     fun reflectance(f0: Float, channel: Int, refraction: Float, thickness: Float, cosine: Float): Float {
         if (thickness == 0f) return f0
         val grazing = Math.min(fifth(1.0 - cosine), MOST)
-        val reflected = reflected(f0.toDouble(), channel, refraction.toDouble(), thickness.toDouble(), cosine.toDouble())
+        val reflected =
+            reflected(f0.toDouble(), channel, refraction.toDouble(), thickness.toDouble(), cosine.toDouble())
         return ((reflected - grazing) / (1.0 - grazing)).coerceIn(0.0, 1.0).toFloat()
     }
 

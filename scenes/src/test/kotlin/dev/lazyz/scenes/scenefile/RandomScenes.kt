@@ -135,20 +135,24 @@ internal class RandomScenes(seed: Long) {
             .withEmissionMap(map())
     }
 
-    private fun lobes() = if (random.nextBoolean()) null else Lobes(
-        Lobes.Specular(random.nextFloat(), color(), 1f + random.nextFloat(), map(), map()),
-        if (random.nextBoolean()) Lobes.Sheen(color(), random.nextFloat(), map(), map()) else null,
-        Lobes.Clearcoat(
-            random.nextFloat(), random.nextFloat(), map(), map(), map()?.let { NormalMap(it, random.nextFloat()) },
-        ),
-        Lobes.Transmission(
-            random.nextFloat(), map(), random.nextFloat(), map(), color(),
-            if (random.nextBoolean()) 1f + random.nextFloat() else Float.POSITIVE_INFINITY,
-        ),
-        Lobes.Iridescence(
-            random.nextFloat(), 1f + random.nextFloat(), random.nextFloat(), random.nextFloat(), map(), map(),
-        ),
-    )
+    private fun lobes() = if (random.nextBoolean()) {
+        null
+    } else {
+        Lobes(
+            Lobes.Specular(random.nextFloat(), color(), 1f + random.nextFloat(), map(), map()),
+            if (random.nextBoolean()) Lobes.Sheen(color(), random.nextFloat(), map(), map()) else null,
+            Lobes.Clearcoat(
+                random.nextFloat(), random.nextFloat(), map(), map(), map()?.let { NormalMap(it, random.nextFloat()) },
+            ),
+            Lobes.Transmission(
+                random.nextFloat(), map(), random.nextFloat(), map(), color(),
+                if (random.nextBoolean()) 1f + random.nextFloat() else Float.POSITIVE_INFINITY,
+            ),
+            Lobes.Iridescence(
+                random.nextFloat(), 1f + random.nextFloat(), random.nextFloat(), random.nextFloat(), map(), map(),
+            ),
+        )
+    }
 
     private fun map(): TextureMap? = when (random.nextInt(3)) {
         0 -> null
