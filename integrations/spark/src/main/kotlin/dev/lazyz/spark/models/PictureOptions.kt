@@ -11,8 +11,8 @@ import java.io.Serializable
 /**
  * What a picture of a model shows, written as words `name=value` with spaces or commas between them, for example
  * `size=256 view=iso aa=4`. The names and values are those of [PictureParameters], which are those of `zcli render`; a
- * comma belongs to a value if no `=` follows, as in `eye=1,2,3`, and to a name that switches something on, such as
- * `edges`, `=true` can be left out. The default of `size` is 256. There are more names: `output` is `png`, which is the
+ * comma belongs to a value if no `=` follows, as in `eye=1,2,3`, spaces do between quotes, as in
+ * `variant="Street Sneaker"`, and to a name that switches something on, such as `edges`, `=true` can be left out. The default of `size` is 256. There are more names: `output` is `png`, which is the
  * default, `pixels` or `depth`, or several joined by `+`; in place of one picture, `aov`, `turntable` and `views` ask
  * for what [PictureOutput] says; `model` is the model in a ZIP archive, if there are several. Files, as of `texture`,
  * are names in the archive.
@@ -59,7 +59,12 @@ public class PictureOptions(public val words: String) : Serializable {
     /** Returns names with their values. */
     private fun pairs(): List<Pair<String, String>> {
         val pairs = ArrayList<Pair<String, String>>()
-        for (word in words.split(' ').filter { it.isNotEmpty() }) {
+        val quoted = words.split('"')
+        require(quoted.size % 2 == 1) { "a quote has no end: $words" }
+        val plain = quoted.withIndex().joinToString("") { (number, part) ->
+            if (number % 2 == 0) part else part.replace(' ', QUOTED_SPACE).replace(',', QUOTED_COMMA)
+        }
+        for (word in plain.split(' ').filter { it.isNotEmpty() }) {
             for ((number, part) in word.split(',').withIndex()) {
                 val isWord = number == 0 || '=' in part
                 val name = part.substringBefore('=')
@@ -73,7 +78,7 @@ public class PictureOptions(public val words: String) : Serializable {
                 }
             }
         }
-        return pairs
+        return pairs.map { (name, value) -> name to value.replace(QUOTED_SPACE, ' ').replace(QUOTED_COMMA, ',') }
     }
 
     override fun toString(): String = "PictureOptions($words)"
@@ -81,6 +86,10 @@ public class PictureOptions(public val words: String) : Serializable {
     public companion object {
         private const val COLUMNS = "output"
         private const val MODEL = "model"
+
+        // Stand for what a quote keeps together
+        private const val QUOTED_SPACE = '\uE000'
+        private const val QUOTED_COMMA = '\uE001'
         private val USUAL = PictureSettings().withDefault(PictureParameters.SIZE, ImageSize(256, 256))
         private val KNOWN = listOf("png", "pixels", "depth")
         private val OWN = listOf(COLUMNS, MODEL) + PictureOutput.WORDS.keys

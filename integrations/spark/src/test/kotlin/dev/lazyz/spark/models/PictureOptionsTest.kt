@@ -42,7 +42,9 @@ class PictureOptionsTest {
     private fun Row.bytes(column: String): ByteArray? = getAs(ModelPictures.schema.fieldIndex(column))
 
     private fun assertSame(words: Map<String, String>) {
-        val all = (mapOf("size" to "40x30") + words).entries.joinToString(" ") { "${it.key}=${it.value}" }
+        val all = (mapOf("size" to "40x30") + words).entries.joinToString(" ") { (name, value) ->
+            if (' ' in value) "$name=\"$value\"" else "$name=$value"
+        }
         val model = Models.OBJ.toByteArray()
         val row = row(all, if (files.any { it.name in words }) PictureWords.archive(model) else model)
         folder.resolve("picture.png").writeBytes(PictureWords.picture())
@@ -102,6 +104,7 @@ class PictureOptionsTest {
             "turntable=1" to "turntable: '1' is no whole number in 2..3600",
             "aov=depth output=pixels" to "output cannot be combined with aov",
             "views=top eye=1,2,3" to "views cannot be combined with eye",
+            "variant=\"blue" to "a quote has no end: variant=\"blue",
         )
         for ((words, message) in mistakes) assertEquals(message, row(words).text("error"))
     }
