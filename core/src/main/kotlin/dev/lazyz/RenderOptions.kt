@@ -15,7 +15,7 @@ import java.util.concurrent.Executor
  * @property threads number of threads that share the work, at least 1; 1 is the calling thread alone. With more, the
  *   next stage of the work may begin while the last one ends, so that for moments up to twice as many are busy
  * @property tileSize width and height of tiles in samples, a power of two in 8..512; for renderers that have tiles.
- *   Tiles in which samples become pixels, see [Renderer.renderPixels], are twice as wide and high
+ *   Tiles in which samples become pixels, see [Renderer.renderPixels], are twice as wide and high, from 64 on
  * @property selector chooses what each sample shows, for renderers with [Capability.SELECTION]. With null, a sample
  *   shows its visible fragment, or all fragments blended if the frame has translucent primitives
  * @property executor runs the threads other than the calling one; null for threads of the library. Renderers do not
