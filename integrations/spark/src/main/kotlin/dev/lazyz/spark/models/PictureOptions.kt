@@ -11,11 +11,11 @@ import java.io.Serializable
 /**
  * What a picture of a model shows, written as words `name=value` with spaces or commas between them, for example
  * `size=256 view=iso aa=4`. The names and values are those of [PictureParameters], which are those of `zcli render`; a
- * comma belongs to a value if no `=` follows, as in `eye=1,2,3`, spaces do between quotes, as in
- * `variant="Street Sneaker"`, and to a name that switches something on, such as `edges`, `=true` can be left out. The default of `size` is 256. There are more names: `output` is `png`, which is the
- * default, `pixels` or `depth`, or several joined by `+`; in place of one picture, `aov`, `turntable` and `views` ask
- * for what [PictureOutput] says; `model` is the model in a ZIP archive, if there are several. Files, as of `texture`,
- * are names in the archive.
+ * comma belongs to a value if no `=` follows, as in `eye=1,2,3`, spaces do between quotes, as in `variant="a b"`,
+ * and to a name that switches something on, such as `edges`, `=true` can be left out. The default of `size`
+ * is 256. There are more names: `output` is `png`, which is the default, `pixels` or `depth`, or several joined by `+`;
+ * in place of one picture, `aov`, `turntable` and `views` ask for what [PictureOutput] says; `model` is the model in a
+ * ZIP archive, if there are several. Files, as of `texture`, are names in the archive.
  *
  * Immutable. Throws [IllegalArgumentException] if a word is not understood, or two exclude each other; the message says
  * which.
