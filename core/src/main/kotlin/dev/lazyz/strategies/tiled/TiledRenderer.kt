@@ -193,12 +193,9 @@ public class TiledRenderer internal constructor(
          * Returns the width of the tiles in which samples become pixels: with several samples a pixel, most triangles
          * reach several of the smaller tiles. Who asks for very small tiles has little memory.
          */
-        fun pixelTileSize(tileSize: Int): Int = if (tileSize <
-            WIDE_TILE
-        ) {
-            tileSize
-        } else {
-            minOf(2 * tileSize, LARGEST_TILE)
+        fun pixelTileSize(tileSize: Int): Int {
+            if (tileSize < WIDE_TILE) return tileSize
+            return minOf(2 * tileSize, LARGEST_TILE)
         }
 
         /** See [RenderOptions.tileSize]. */
