@@ -4,6 +4,7 @@ import dev.lazyz.shared.ProcessorTime
 import dev.lazyz.world.surface.Mesh
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
+import java.util.Base64
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
@@ -59,6 +60,27 @@ class LinearTimeTest {
             }
         }
         ProcessorTime.assertLinear(48_000, text) { file, count -> assertEquals(count, obj(file).size) }
+    }
+
+    /** The last of many variants is asked for, whose names are equal at the beginning, for each of many primitives. */
+    @Test
+    fun manyVariantsForManyPrimitives() {
+        fun name(number: Int) = "v".repeat(200) + (1_000_000 + number)
+        val zeros = Base64.getEncoder().encodeToString(ByteArray(36))
+        val text = { count: Int ->
+            val names = (0 until count).joinToString(",") { """{"name":"${name(it)}"}""" }
+            val primitives = List(count) { """{"attributes":{"POSITION":0}}""" }.joinToString(",")
+            """{"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[$primitives]}],
+                "extensions":{"KHR_materials_variants":{"variants":[$names]}},
+                "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+                "bufferViews":[{"buffer":0,"byteLength":36}],
+                "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,$zeros"}]}"""
+        }
+        ProcessorTime.assertLinear(16_000, text) { file, count ->
+            val options = LoadOptions().withVariant(name(count - 1))
+            val loaded = Scenes.load(file.byteInputStream(), SceneFormat.GLTF, "test", null, options)
+            assertEquals(count, loaded.scene.surfaces.size)
+        }
     }
 
     @Test

@@ -28,6 +28,11 @@ internal class GltfMeshes(
     private val instances = GltfInstances(document, accessors)
     private val meshes = HashMap<Int, List<GltfPart>>()
 
+    /** The number of the variant that was asked for, or null. */
+    private val variant: Int? by lazy(LazyThreadSafetyMode.NONE) {
+        document.source.loading.options.variant?.let(::variant)
+    }
+
     /** Returns the surfaces of a node, in world space: those of its mesh, once for each instance. */
     fun of(placed: PlacedNode): List<Surface> {
         document.source.step()
@@ -109,17 +114,21 @@ internal class GltfMeshes(
         )
     }
 
-    /** Returns the number of the material of [primitive], in the variant that was asked for. */
-    private fun material(primitive: PrimitiveJson): Int? {
-        val name = document.source.loading.options.variant ?: return primitive.material
+    private fun variant(name: String): Int {
         val names = document.json.variants
-        val variant = names.indexOf(name)
-        if (variant < 0) {
+        val number = names.indexOf(name)
+        if (number < 0) {
             val known = names.take(MOST_SHOWN).joinToString { "\"$it\"" }
             val remedy = if (names.isEmpty()) "choose none" else "choose one of $known"
             document.source.fail(null, "there is no variant \"$name\"", remedy)
         }
-        return primitive.variants.firstOrNull { it != null && variant in it.variants }?.material ?: primitive.material
+        return number
+    }
+
+    /** Returns the number of the material of [primitive], in the variant that was asked for. */
+    private fun material(primitive: PrimitiveJson): Int? {
+        val wanted = variant ?: return primitive.material
+        return primitive.variants.firstOrNull { it != null && wanted in it.variants }?.material ?: primitive.material
     }
 
     private fun tangents(vertices: GltfVertices, count: Int, here: String): FloatArray? {
