@@ -191,18 +191,9 @@ public class TiledRenderer internal constructor(
     internal companion object {
         /**
          * Returns the width of the tiles in which samples become pixels: with several samples a pixel, most triangles
-         * reach several of the smaller tiles. Who asks for very small tiles has little memory.
+         * reach several of the smaller tiles. Who asks for less than the default has little memory.
          */
-        fun pixelTileSize(tileSize: Int): Int {
-            if (tileSize < WIDE_TILE) return tileSize
-            return minOf(2 * tileSize, LARGEST_TILE)
-        }
-
-        /** See [RenderOptions.tileSize]. */
-        private const val LARGEST_TILE = 512
-
-        /** The default. */
-        private const val WIDE_TILE = 64
+        fun pixelTileSize(tileSize: Int): Int = if (tileSize in 64..256) 2 * tileSize else tileSize
 
         /** Many samples of a pixel can show as many primitives, for which rows of samples are faster. */
         private const val MOST_SIDE = 8

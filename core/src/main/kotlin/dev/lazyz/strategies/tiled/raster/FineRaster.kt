@@ -46,12 +46,15 @@ internal class FineRaster(
         return left < right && top < bottom
     }
 
-    /** Counts so many [fragments], of which so many were in front of what was drawn before. */
-    fun count(fragments: Int, passes: Int) {
+    /**
+     * Counts so many [fragments], of which so many were in front of what was drawn before. Looking for the farthest keys
+     * again is as much work as comparing [compared] samples, see [VisibilityBuffer.compared].
+     */
+    fun count(fragments: Int, passes: Int, compared: Int = fragments) {
         counters.fragments += fragments
         counters.depthEvaluations += fragments
         counters.depthPasses += passes
-        tile.compared(fragments)
+        tile.compared(compared)
     }
 
     /**
@@ -95,30 +98,19 @@ internal class FineRaster(
     /** Draws a triangle row by row. Edges and depth must be set, with the tile's first sample as the origin. */
     private fun drawRows(forms: TriangleForms) {
         rows.begin(forms, left, right, top)
-        val keys = tile.keys
-        val rank = forms.rank
-        val zdx = forms.zdx
         var covered = 0
         var passes = 0
         for (row in top until bottom) {
             val start = rows.start
-            val end = rows.end
-            rows.next()
-            if (start >= end) continue
-            covered += end - start
-            var value = forms.z + forms.zdx * start + forms.zdy * row
-            for (at in row * tile.stride + start until row * tile.stride + end) {
-                val old = keys[at]
-                val key = (value and BlockKernel.DEPTH_BITS) or rank
-                keys[at] = minOf(key, old)
-                passes += ((key - old) ushr 63).toInt()
-                value += zdx
+            val length = rows.end - start
+            if (length > 0) {
+                covered += length
+                val z = forms.z + forms.zdx * start + forms.zdy * row
+                passes += tile.lower(row * tile.stride + start, length, z, forms.zdx, forms.rank)
             }
+            rows.next()
         }
-        counters.fragments += covered
-        counters.depthEvaluations += covered
-        counters.depthPasses += passes
-        tile.compared(covered / ROWS_PER_UPDATE)
+        count(covered, passes, covered / ROWS_PER_UPDATE)
     }
 
     /** Draws the samples [coverage] of the square that starts at ([left], [top]) of the tile, see [SmallCoverage]. */
@@ -157,7 +149,7 @@ internal class FineRaster(
         val leastZ = last * (minOf(forms.zdx, 0L) + minOf(forms.zdy, 0L))
         val width = tile.columnEnd - tile.columnStart
         val height = tile.rowEnd - tile.rowStart
-        var covered = 0L
+        var covered = 0
         var passes = 0
         for (blockRow in top / size..(bottom - 1) / size) {
             val row = blockRow * size
@@ -185,14 +177,12 @@ internal class FineRaster(
                     val result = kernel.part(
                         tile.keys, at, tile.stride, v0, v1, v2, z, columns, rows, tile.farthestOfBlock, block,
                     )
-                    covered += result ushr Int.SIZE_BITS
+                    covered += (result ushr Int.SIZE_BITS).toInt()
                     passes += result.toInt()
                 }
             }
         }
-        counters.fragments += covered
-        counters.depthEvaluations += covered
-        counters.depthPasses += passes
+        count(covered, passes, 0)
     }
 
     /**

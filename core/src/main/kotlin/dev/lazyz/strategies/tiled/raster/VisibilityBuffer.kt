@@ -169,7 +169,7 @@ internal class VisibilityBuffer(grid: TileGrid, raster: Raster, private val coun
      * A key is that of depth 0, combined with the depth in its upper half. Where the greatest depth wins, the bits of
      * the depth are inverted, because 2^31-1 - depth inverts them. Returns the number of keys that were lowered.
      */
-    private fun lower(first: Int, count: Int, value: Long, step: Long, origin: Long): Int {
+    fun lower(first: Int, count: Int, value: Long, step: Long, origin: Long): Int {
         val keys = keys
         var z = value
         var passes = 0
