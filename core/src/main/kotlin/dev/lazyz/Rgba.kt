@@ -25,6 +25,13 @@ public class Rgba @JvmOverloads constructor(
     /** Returns this colour with red, green and blue multiplied by [factor]; alpha is unchanged. */
     public fun scaled(factor: Float): Rgba = Rgba(red * factor, green * factor, blue * factor, alpha)
 
+    /** Returns red (0), green (1) or blue (2). */
+    internal fun channel(channel: Int): Float = when (channel) {
+        0 -> red
+        1 -> green
+        else -> blue
+    }
+
     /** Components are compared as [Float.compareTo] does: NaN equals NaN, and -0 is less than 0. */
     override fun equals(other: Any?): Boolean = other is Rgba && red.compareTo(other.red) == 0 &&
         green.compareTo(other.green) == 0 && blue.compareTo(other.blue) == 0 && alpha.compareTo(other.alpha) == 0

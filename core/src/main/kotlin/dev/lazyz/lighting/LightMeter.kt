@@ -1,6 +1,5 @@
 package dev.lazyz.lighting
 
-import dev.lazyz.Rgba
 import dev.lazyz.geometry.FaceNormal
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
@@ -114,7 +113,7 @@ public object LightMeter {
         }
         val colors = mesh.colors
         for (k in 0 until 3) {
-            out[k] *= component(material.baseColor, k)
+            out[k] *= material.baseColor.channel(k)
             if (colors != null) out[k] *= mean(mesh, triangle, colors, 4, k)
         }
     }
@@ -126,12 +125,6 @@ public object LightMeter {
             values[stride * corners[at] + place] + values[stride * corners[at + 1] + place] +
                 values[stride * corners[at + 2] + place]
             ) / 3f
-    }
-
-    private fun component(color: Rgba, k: Int): Float = when (k) {
-        0 -> color.red
-        1 -> color.green
-        else -> color.blue
     }
 
     /** Relative luminance of linear light, ITU-R BT.709. */

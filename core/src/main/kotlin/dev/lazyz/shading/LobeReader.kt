@@ -1,6 +1,5 @@
 package dev.lazyz.shading
 
-import dev.lazyz.Rgba
 import dev.lazyz.shading.pbr.PhysicalSurface
 import dev.lazyz.spi.Fragment
 import dev.lazyz.world.material.Lobes
@@ -83,7 +82,7 @@ internal class LobeReader private constructor(lobes: Lobes, isBlended: Boolean) 
         val texel = specularColorMap?.read(fragment)
         val surface = fragment.surface
         for (channel in 0 until 3) {
-            val tint = component(specular.color, channel) * (texel?.get(channel) ?: 1f)
+            val tint = specular.color.channel(channel) * (texel?.get(channel) ?: 1f)
             val color = when (channel) {
                 0 -> red
                 1 -> green
@@ -102,7 +101,7 @@ internal class LobeReader private constructor(lobes: Lobes, isBlended: Boolean) 
         val texel = sheenColorMap?.read(fragment)
         for (channel in 0 until 3) {
             surface[PhysicalSurface.SHEEN + channel] =
-                component(sheen.color, channel) * (texel?.get(channel) ?: 1f)
+                sheen.color.channel(channel) * (texel?.get(channel) ?: 1f)
         }
     }
 
@@ -131,13 +130,7 @@ internal class LobeReader private constructor(lobes: Lobes, isBlended: Boolean) 
     private fun attenuated(channel: Int, depth: Float): Float {
         if (glass == null || glass.thickness == 0f) return 1f
         val way = glass.thickness.toDouble() * depth / glass.attenuationDistance
-        return StrictMath.pow(component(glass.attenuationColor, channel).toDouble(), way).toFloat()
-    }
-
-    private fun component(color: Rgba, channel: Int): Float = when (channel) {
-        0 -> color.red
-        1 -> color.green
-        else -> color.blue
+        return StrictMath.pow(glass.attenuationColor.channel(channel).toDouble(), way).toFloat()
     }
 
     companion object {

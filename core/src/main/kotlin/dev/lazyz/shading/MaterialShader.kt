@@ -123,16 +123,19 @@ internal class MaterialShader(
         color[0] = red
         color[1] = green
         color[2] = blue
-        if (emissionMap != null && lobes == null) {
-            val texel = emissionMap.read(fragment)
-            color[0] += material.emission.red * texel[0]
-            color[1] += material.emission.green * texel[1]
-            color[2] += material.emission.blue * texel[2]
-        }
+        if (lobes == null) addEmission(fragment, color)
         toneMapper?.apply(color)
         if (lobes == null) return fragment.setColor(color[0], color[1], color[2], opacity)
         val rest = 1f - fragment.surface[PhysicalSurface.PASSED]
         fragment.setColor(color[0] / rest, color[1] / rest, color[2] / rest, opacity * rest)
+    }
+
+    /** Adds the emission of the map, if there is one, to [color]. */
+    private fun addEmission(fragment: Fragment, color: FloatArray) {
+        val texel = emissionMap?.read(fragment) ?: return
+        color[0] += material.emission.red * texel[0]
+        color[1] += material.emission.green * texel[1]
+        color[2] += material.emission.blue * texel[2]
     }
 
     /** Stores the light that the fragment reflects, and its emission, in 0..2 of its [Fragment.light]. */
@@ -167,12 +170,7 @@ internal class MaterialShader(
         occlusion: Float,
     ) {
         val light = fragment.light
-        if (emissionMap != null) {
-            val texel = emissionMap.read(fragment)
-            light[0] = material.emission.red * texel[0]
-            light[1] = material.emission.green * texel[1]
-            light[2] = material.emission.blue * texel[2]
-        }
+        addEmission(fragment, light)
         lobes.set(fragment, red, green, blue, metallic)
         lighting.lobes.illuminate(
             fragment.surface, occlusion, fragment.worldX, fragment.worldY, fragment.worldZ,
@@ -345,17 +343,12 @@ internal class MaterialShader(
             light,
         )
         for (k in 0 until 3) {
-            val color = data[at + Vertices.COLOR + k].toFloat() * component(k)
+            val color = data[at + Vertices.COLOR + k].toFloat() * base.channel(k)
             data[at + Vertices.COLOR + k] = (color * light[k] + light[3 + k]).toDouble()
         }
         data[at + Vertices.COLOR + 3] = (data[at + Vertices.COLOR + 3].toFloat() * base.alpha).toDouble()
     }
 
-    private fun component(k: Int): Float = when (k) {
-        0 -> base.red
-        1 -> base.green
-        else -> base.blue
-    }
     private companion object {
         /** Scratch memory of a batch for metallicness, after that of [BatchPhysicalLighting]. */
         const val METALLIC = BatchPhysicalLighting.ARRAYS

@@ -104,9 +104,35 @@ internal class ExactLight(
         val tint = specular?.let { parts(it.color) } ?: doubleArrayOf(1.0, 1.0, 1.0)
         val atNormal = specular?.refraction?.toDouble()?.let { Math.pow((it - 1) / (it + 1), 2.0) } ?: 0.04
         val f90 = strength * (1 - metallic) + metallic
+        return fromLights(DoubleArray(3), place, roughness, graze) { k, grazing, lobe ->
+            val f0 = minOf(atNormal * tint[k], 1.0) * strength * (1 - metallic) + color[k] * metallic
+            val f = f0 + (f90 - f0) * grazing
+            (1 - f) * (color[k] * (1 - metallic)) + f * lobe
+        }
+    }
+
+    /** Returns the light [below] a clear coat and that of the coat: rule 6.16. The parameters are as in [reflected]. */
+    fun coated(below: DoubleArray, coat: Lobes.Clearcoat, place: Place, graze: Double): DoubleArray? {
         val v = toViewer(place.point).normalize()
         val n = unitNormal(place.normal, v) ?: return null
-        val sum = DoubleArray(3)
+        val weight = coat.strength * (0.04 + 0.96 * Math.pow(1 - minOf(1.0, Math.abs(n.dot(v))), 5.0))
+        val rest = DoubleArray(3) { below[it] * (1 - weight) }
+        return fromLights(rest, place, coat.roughness.toDouble(), graze) { _, _, lobe -> weight * lobe }
+    }
+
+    /**
+     * Adds to [sum] the light of all lights that a surface reflects. [reflected] is how much of it in a channel, from
+     * (1 - V.H)^5 and the product D V. Returns null where rounding decides.
+     */
+    private inline fun fromLights(
+        sum: DoubleArray,
+        place: Place,
+        roughness: Double,
+        graze: Double,
+        reflected: (k: Int, grazing: Double, lobe: Double) -> Double,
+    ): DoubleArray? {
+        val v = toViewer(place.point).normalize()
+        val n = unitNormal(place.normal, v) ?: return null
         for (light in physical) {
             if (light is Light.Ambient) error("the oracle does not know ambient light on metallic-roughness materials")
             val beam = beam(light, place.point) ?: return null
@@ -118,31 +144,7 @@ internal class ExactLight(
             h.normalize()
             val lobe = lobe(n, l, v, h, roughness)
             val grazing = Math.pow(1 - minOf(1.0, Math.abs(v.dot(h))), 5.0)
-            for (k in 0 until 3) {
-                val f0 = minOf(atNormal * tint[k], 1.0) * strength * (1 - metallic) + color[k] * metallic
-                val f = f0 + (f90 - f0) * grazing
-                val diffuse = color[k] * (1 - metallic)
-                sum[k] += beam.color[k] * cosine * ((1 - f) * diffuse + f * lobe)
-            }
-        }
-        return sum
-    }
-
-    /** Returns the light [below] a clear coat and that of the coat: rule 6.16. The parameters are as in [reflected]. */
-    fun coated(below: DoubleArray, coat: Lobes.Clearcoat, place: Place, graze: Double): DoubleArray? {
-        val v = toViewer(place.point).normalize()
-        val n = unitNormal(place.normal, v) ?: return null
-        val weight = coat.strength * (0.04 + 0.96 * Math.pow(1 - minOf(1.0, Math.abs(n.dot(v))), 5.0))
-        val sum = DoubleArray(3) { below[it] * (1 - weight) }
-        for (light in physical) {
-            val beam = beam(light, place.point) ?: return null
-            val l = beam.direction
-            val cosine = n.dot(l)
-            if (!(cosine > graze)) continue
-            val h = Vector3d(l).add(v)
-            if (h.length() < LEAST) return null
-            val lobe = lobe(n, l, v, h.normalize(), coat.roughness.toDouble())
-            for (k in 0 until 3) sum[k] += beam.color[k] * cosine * weight * lobe
+            for (k in 0 until 3) sum[k] += beam.color[k] * cosine * reflected(k, grazing, lobe)
         }
         return sum
     }

@@ -12,8 +12,8 @@ package dev.lazyz.shading.pbr
 internal object DirectionalAlbedo {
     private const val SIZE = 32
     private const val STRATA = 16
-    private val scales = FloatArray(SIZE * SIZE)
-    private val biases = FloatArray(SIZE * SIZE)
+    private val scales = SquareTable(SIZE)
+    private val biases = SquareTable(SIZE)
 
     /** The cosines and sines of the angles around the normal, for half a turn: the other half is symmetric. */
     private val directions = DoubleArray(STRATA) { StrictMath.cos(StrictMath.PI * (it + 0.5) / STRATA) }
@@ -26,32 +26,14 @@ internal object DirectionalAlbedo {
     }
 
     /** Passes scale and bias for N.V and perceptual roughness, each in 0..1, to [use]. */
-    inline fun at(cosine: Float, roughness: Float, use: (Float, Float) -> Unit) {
-        val x = cosine * LAST
-        val y = roughness * LAST
-        val column = minOf(x.toInt(), SIZE - 2)
-        val row = minOf(y.toInt(), SIZE - 2)
-        val at = row * SIZE + column
-        val fx = x - column
-        val fy = y - row
-        use(mixed(scaleTable, at, fx, fy), mixed(biasTable, at, fx, fy))
-    }
+    inline fun at(cosine: Float, roughness: Float, use: (Float, Float) -> Unit) =
+        use(scale(cosine, roughness), bias(cosine, roughness))
 
-    /** The table of scales; for [at] only. */
-    val scaleTable: FloatArray get() = scales
+    /** For [at] only. */
+    fun scale(cosine: Float, roughness: Float): Float = scales.at(cosine, roughness)
 
-    /** The table of biases; for [at] only. */
-    val biasTable: FloatArray get() = biases
-
-    /** The largest index as a number; for [at] only. */
-    const val LAST: Float = SIZE - 1f
-
-    /** Returns the value between four elements of [table], the first of them at [at]; for [at] only. */
-    fun mixed(table: FloatArray, at: Int, fx: Float, fy: Float): Float {
-        val upper = table[at] * (1f - fx) + table[at + 1] * fx
-        val lower = table[at + SIZE] * (1f - fx) + table[at + SIZE + 1] * fx
-        return upper * (1f - fy) + lower * fy
-    }
+    /** For [at] only. */
+    fun bias(cosine: Float, roughness: Float): Float = biases.at(cosine, roughness)
 
     /** Computes element [at] with microfacets of the distribution. */
     private fun integrate(cosineV: Double, roughness: Double, at: Int) {
@@ -79,7 +61,26 @@ internal object DirectionalAlbedo {
                 bias += grazing * weight
             }
         }
-        scales[at] = (scale / (STRATA * STRATA)).toFloat()
-        biases[at] = (bias / (STRATA * STRATA)).toFloat()
+        scales.numbers[at] = (scale / (STRATA * STRATA)).toFloat()
+        biases.numbers[at] = (bias / (STRATA * STRATA)).toFloat()
+    }
+}
+
+/** A table over two arguments in 0..1, of [size] x [size] [numbers], between which it interpolates bilinearly. */
+internal class SquareTable(private val size: Int) {
+    /** Row by row; the first argument grows within a row. */
+    val numbers: FloatArray = FloatArray(size * size)
+
+    fun at(first: Float, second: Float): Float {
+        val x = first * (size - 1)
+        val y = second * (size - 1)
+        val column = minOf(x.toInt(), size - 2)
+        val row = minOf(y.toInt(), size - 2)
+        val at = row * size + column
+        val fx = x - column
+        val fy = y - row
+        val upper = numbers[at] * (1f - fx) + numbers[at + 1] * fx
+        val lower = numbers[at + size] * (1f - fx) + numbers[at + size + 1] * fx
+        return upper * (1f - fy) + lower * fy
     }
 }

@@ -4,7 +4,6 @@ import dev.lazyz.shading.light.LightSources
 import dev.lazyz.shading.light.Viewer
 import dev.lazyz.world.AmbientVisibility
 import kotlin.math.abs
-import kotlin.math.sqrt
 
 /**
  * The light of a surface with a film, sheen, a clear coat or transmission (contract rule 6.16), in single precision, in
@@ -56,7 +55,7 @@ internal class LobeLighting(
             out[0] += red
             out[1] += green
             out[2] += blue
-            if (surface[PhysicalSurface.COAT] > 0f) coat(surface, open, px, py, pz, vx, vy, vz, out)
+            if (surface[PhysicalSurface.COAT] > 0f) coat(surface, open, px, py, pz, out)
         }
     }
 
@@ -115,65 +114,37 @@ internal class LobeLighting(
             out[channel] += surface[PhysicalSurface.SHEEN + channel] * albedo *
                 surface[PhysicalSurface.IRRADIANCE + channel] * open
         }
-        for (light in 0 until sources.count) {
-            sources.from(light, px, py, pz) { lx, ly, lz, strength ->
-                val cosineL = nx * lx + ny * ly + nz * lz
-                if (!(cosineL > 0f)) return@from
-                halfway(lx + vx, ly + vy, lz + vz, nx, ny, nz) { _, sineSquare ->
-                    val lobe = Fibres.distribution(sineSquare, roughness) * Fibres.visibility(cosineL, cosineV)
-                    for (channel in 0 until 3) {
-                        out[channel] += sources.color(light, channel) * strength * cosineL *
-                            (surface[PhysicalSurface.SHEEN + channel] * lobe)
-                    }
-                }
+        sources.inFront(px, py, pz, nx, ny, nz, vx, vy, vz) { light, strength, cosineL, _, sineSquare, _ ->
+            val lobe = Fibres.distribution(sineSquare, roughness) * Fibres.visibility(cosineL, cosineV)
+            for (channel in 0 until 3) {
+                out[channel] += sources.color(light, channel) * strength * cosineL *
+                    (surface[PhysicalSurface.SHEEN + channel] * lobe)
             }
         }
     }
 
-    private fun coat(
-        surface: FloatArray,
-        open: Float,
-        px: Float,
-        py: Float,
-        pz: Float,
-        vx: Float,
-        vy: Float,
-        vz: Float,
-        out: FloatArray,
-    ) {
-        val x = surface[PhysicalSurface.COAT_NORMAL]
-        val y = surface[PhysicalSurface.COAT_NORMAL + 1]
-        val z = surface[PhysicalSurface.COAT_NORMAL + 2]
-        val length = sqrt(x * x + y * y + z * z)
-        val nx = if (length > 0f) x / length else vx
-        val ny = if (length > 0f) y / length else vy
-        val nz = if (length > 0f) z / length else vz
-        val along = nx * vx + ny * vy + nz * vz
-        val cosineV = abs(along)
-        val roughness = surface[PhysicalSurface.COAT_ROUGHNESS]
-        val fresnel = Microfacets.DIELECTRIC + (1f - Microfacets.DIELECTRIC) * Microfacets.grazing(cosineV)
-        val weight = surface[PhysicalSurface.COAT] * fresnel
-        cover(surface, 1f - weight, out)
-        surface.fill(0f, PhysicalSurface.RADIANCE, PhysicalSurface.RADIANCE + 3)
-        studio?.radiance(
-            2f * along * nx - vx, 2f * along * ny - vy, 2f * along * nz - vz, roughness * roughness, surface,
-        )
-        for (channel in 0 until 3) {
-            out[channel] += weight * (surface[PhysicalSurface.RADIANCE + channel] + sources.ambient[channel]) * open
-        }
-        val alpha = Microfacets.alpha(roughness)
-        val a2 = alpha * alpha
-        for (light in 0 until sources.count) {
-            sources.from(light, px, py, pz) { lx, ly, lz, strength ->
-                val cosineL = nx * lx + ny * ly + nz * lz
-                if (!(cosineL > 0f)) return@from
-                halfway(lx + vx, ly + vy, lz + vz, nx, ny, nz) { cosineH, sineSquare ->
-                    if (!(cosineH > 0f)) return@halfway
-                    val lobe = Microfacets.distribution(cosineH, sineSquare, a2) *
-                        Microfacets.visibility(cosineL, cosineV, a2)
-                    for (channel in 0 until 3) {
-                        out[channel] += sources.color(light, channel) * strength * cosineL * (weight * lobe)
-                    }
+    private fun coat(surface: FloatArray, open: Float, px: Float, py: Float, pz: Float, out: FloatArray) {
+        val at = PhysicalSurface.COAT_NORMAL
+        viewer.from(px, py, pz, surface[at], surface[at + 1], surface[at + 2]) { vx, vy, vz, nx, ny, nz ->
+            val along = nx * vx + ny * vy + nz * vz
+            val cosineV = abs(along)
+            val roughness = surface[PhysicalSurface.COAT_ROUGHNESS]
+            val fresnel = Microfacets.DIELECTRIC + (1f - Microfacets.DIELECTRIC) * Microfacets.grazing(cosineV)
+            val weight = surface[PhysicalSurface.COAT] * fresnel
+            cover(surface, 1f - weight, out)
+            surface.fill(0f, PhysicalSurface.RADIANCE, PhysicalSurface.RADIANCE + 3)
+            studio?.radiance(
+                2f * along * nx - vx, 2f * along * ny - vy, 2f * along * nz - vz, roughness * roughness, surface,
+            )
+            for (channel in 0 until 3) {
+                out[channel] += weight * (surface[PhysicalSurface.RADIANCE + channel] + sources.ambient[channel]) * open
+            }
+            val alpha = Microfacets.alpha(roughness)
+            val a2 = alpha * alpha
+            sources.inFront(px, py, pz, nx, ny, nz, vx, vy, vz) { light, strength, cosineL, cosineH, sineSquare, _ ->
+                val lobe = Microfacets.lobe(cosineH, sineSquare, cosineL, cosineV, a2)
+                for (channel in 0 until 3) {
+                    out[channel] += sources.color(light, channel) * strength * cosineL * (weight * lobe)
                 }
             }
         }
@@ -195,26 +166,6 @@ internal class LobeLighting(
     private fun mostOf(surface: FloatArray, at: Int): Float =
         maxOf(surface[at], maxOf(surface[at + 1], surface[at + 2]))
 
-    /** Passes N.H and the square of the sine between N and H = (x, y, z), of any length, to [use]. */
-    private inline fun halfway(
-        x: Float,
-        y: Float,
-        z: Float,
-        nx: Float,
-        ny: Float,
-        nz: Float,
-        use: (Float, Float) -> Unit,
-    ) {
-        val length = sqrt(x * x + y * y + z * z)
-        val hx = x / length
-        val hy = y / length
-        val hz = z / length
-        val cx = ny * hz - nz * hy
-        val cy = nz * hx - nx * hz
-        val cz = nx * hy - ny * hx
-        use(nx * hx + ny * hy + nz * hz, cx * cx + cy * cy + cz * cz)
-    }
-
     private companion object {
         /** The most that passes, so that highlights on clear glass, which are divided by the rest, stay finite. */
         const val MOST_PASSED = 0.98f
@@ -230,12 +181,12 @@ internal object Fibres {
     private const val SIZE = 16
     private const val STRATA = 32
     private const val LEAST_ALPHA = 1f / 512f
-    private val albedos = FloatArray(SIZE * SIZE)
+    private val albedos = SquareTable(SIZE)
 
     init {
         for (row in 0 until SIZE) {
             for (column in 0 until SIZE) {
-                albedos[row * SIZE + column] = integral(column / (SIZE - 1.0), row / (SIZE - 1f))
+                albedos.numbers[row * SIZE + column] = integral(column / (SIZE - 1.0), row / (SIZE - 1f))
             }
         }
     }
@@ -250,22 +201,8 @@ internal object Fibres {
     /** Returns V for N.L above 0 and N.V. */
     fun visibility(cosineL: Float, cosineV: Float): Float = 1f / (4f * (cosineL + cosineV - cosineL * cosineV))
 
-    /**
-     * Returns how much of uniform light is reflected at N.V, for a perceptual [roughness], each in 0..1: interpolated
-     * in a table that is computed once.
-     */
-    fun albedo(cosine: Float, roughness: Float): Float {
-        val x = cosine * (SIZE - 1)
-        val y = roughness * (SIZE - 1)
-        val column = minOf(x.toInt(), SIZE - 2)
-        val row = minOf(y.toInt(), SIZE - 2)
-        val fx = x - column
-        val fy = y - row
-        val at = row * SIZE + column
-        val upper = albedos[at] * (1f - fx) + albedos[at + 1] * fx
-        val lower = albedos[at + SIZE] * (1f - fx) + albedos[at + SIZE + 1] * fx
-        return upper * (1f - fy) + lower * fy
-    }
+    /** Returns how much of uniform light is reflected at N.V, for a perceptual [roughness], each in 0..1. */
+    fun albedo(cosine: Float, roughness: Float): Float = albedos.at(cosine, roughness)
 
     /** Returns the mean of D V N.L over the hemisphere, times 2 pi, at most 1. */
     private fun integral(cosineV: Double, roughness: Float): Float {

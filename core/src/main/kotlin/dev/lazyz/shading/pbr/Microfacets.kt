@@ -37,6 +37,10 @@ internal object Microfacets {
         return 1f / (light * view)
     }
 
+    /** Returns pi times D * V for N.L above 0, or 0 where the halfway vector is behind the surface. */
+    fun lobe(cosineH: Float, sineSquare: Float, cosineL: Float, cosineV: Float, a2: Float): Float =
+        if (cosineH > 0f) distribution(cosineH, sineSquare, a2) * visibility(cosineL, cosineV, a2) else 0f
+
     /** Returns `(1 - cosine)^5`, the part of Schlick's Fresnel reflectance that rises to 1 at grazing angles. */
     fun grazing(cosine: Float): Float = fifth(if (cosine < 1f) 1f - cosine else 0f)
 

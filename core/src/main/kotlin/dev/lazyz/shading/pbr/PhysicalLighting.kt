@@ -63,37 +63,15 @@ internal class PhysicalLighting(
         val alpha = Microfacets.alpha(surface[PhysicalSurface.ROUGHNESS])
         val a2 = alpha * alpha
         val f90 = surface[PhysicalSurface.GRAZING]
-        for (light in 0 until sources.count) {
-            sources.from(light, px, py, pz) { lx, ly, lz, strength ->
-                val cosineL = nx * lx + ny * ly + nz * lz
-                if (!(cosineL > 0f)) return@from
+        sources.inFront(px, py, pz, nx, ny, nz, vx, vy, vz) { light, strength, cosineL, cosineH, sineSquare, cosineVH ->
+            val grazing = Microfacets.grazing(abs(cosineVH))
 
-                // The halfway vector, and its sine with the normal as a cross product
-                var hx = lx + vx
-                var hy = ly + vy
-                var hz = lz + vz
-                val length = sqrt(hx * hx + hy * hy + hz * hz)
-                hx /= length
-                hy /= length
-                hz /= length
-                val cosineH = nx * hx + ny * hy + nz * hz
-                val cx = ny * hz - nz * hy
-                val cy = nz * hx - nx * hz
-                val cz = nx * hy - ny * hx
-                val grazing = Microfacets.grazing(abs(vx * hx + vy * hy + vz * hz))
-
-                // A light of colour 1 makes a matt white surface white, so pi is in D, and not in the diffuse part
-                val lobe = if (cosineH > 0f) {
-                    Microfacets.distribution(cosineH, cx * cx + cy * cy + cz * cz, a2) *
-                        Microfacets.visibility(cosineL, cosineV, a2)
-                } else {
-                    0f
-                }
-                for (channel in 0 until 3) {
-                    val f0 = surface[PhysicalSurface.REFLECTANCE + channel]
-                    val reflected = reflected(f0, surface[PhysicalSurface.DIFFUSE + channel], grazing, lobe, f90)
-                    out[channel] += sources.color(light, channel) * strength * cosineL * reflected
-                }
+            // A light of colour 1 makes a matt white surface white, so pi is in D, and not in the diffuse part
+            val lobe = Microfacets.lobe(cosineH, sineSquare, cosineL, cosineV, a2)
+            for (channel in 0 until 3) {
+                val f0 = surface[PhysicalSurface.REFLECTANCE + channel]
+                val reflected = reflected(f0, surface[PhysicalSurface.DIFFUSE + channel], grazing, lobe, f90)
+                out[channel] += sources.color(light, channel) * strength * cosineL * reflected
             }
         }
     }
@@ -205,6 +183,45 @@ internal class PhysicalLighting(
             val square = 0.6417f - 4.7951f * diffuse
             val linear = 2.7552f * diffuse + 0.6903f
             return maxOf(open, ((open * cubic + square) * open + linear) * open)
+        }
+    }
+}
+
+/**
+ * Passes each light that shines on the front of a surface to [use]: its number, the factor of its colour, N.L, N.H, the
+ * square of the sine between N and H, without cancellation, and V.H. The surface is at the point ([px], [py], [pz]), N
+ * is its normal, V points to the viewer, L to the light, and H halfway between them; all are unit vectors.
+ */
+internal inline fun LightSources.inFront(
+    px: Float,
+    py: Float,
+    pz: Float,
+    nx: Float,
+    ny: Float,
+    nz: Float,
+    vx: Float,
+    vy: Float,
+    vz: Float,
+    use: (
+        light: Int, strength: Float, cosineL: Float, cosineH: Float, sineSquare: Float, cosineVH: Float,
+    ) -> Unit,
+) {
+    for (light in 0 until count) {
+        from(light, px, py, pz) { lx, ly, lz, strength ->
+            val cosineL = nx * lx + ny * ly + nz * lz
+            if (!(cosineL > 0f)) return@from
+            var hx = lx + vx
+            var hy = ly + vy
+            var hz = lz + vz
+            val length = sqrt(hx * hx + hy * hy + hz * hz)
+            hx /= length
+            hy /= length
+            hz /= length
+            val cosineH = nx * hx + ny * hy + nz * hz
+            val cx = ny * hz - nz * hy
+            val cy = nz * hx - nx * hz
+            val cz = nx * hy - ny * hx
+            use(light, strength, cosineL, cosineH, cx * cx + cy * cy + cz * cz, vx * hx + vy * hy + vz * hz)
         }
     }
 }
