@@ -32,16 +32,12 @@ internal class PngFilter(private val width: Int, private val channels: Int) {
         while (from < until && isRepeated(argb, row + from)) from++
         while (until > from && isRepeated(argb, row + until - 1)) until--
 
-        val color = argb[row]
-        val above = argb[row - width]
-        var more = 0L
-        for (channel in 0 until channels) {
-            val byte = color shr SHIFTS[channel]
-            sub[channel] = byte.toByte()
-            up[channel] = (byte - (above shr SHIFTS[channel])).toByte()
-            more += StrictMath.abs(sub[channel].toInt()) - StrictMath.abs(up[channel].toInt())
+        var more = subtract(argb[row], 0, argb[row - width], 0)
+        for (x in from until until) {
+            val i = row + x
+            more += subtract(argb[i], argb[i - 1], argb[i - width], x * channels)
         }
-        val isUp = more + subtract(argb, row, from, until) > 0
+        val isUp = more > 0
         output[at] = if (isUp) UP else SUB
         val differences = if (isUp) up else sub
         System.arraycopy(differences, 0, output, at + 1, channels)
@@ -53,26 +49,20 @@ internal class PngFilter(private val width: Int, private val channels: Int) {
     private fun isRepeated(argb: IntArray, i: Int): Boolean = argb[i] == argb[i - 1] && argb[i] == argb[i - width]
 
     /**
-     * Computes both kinds of differences of the pixels [from] until [until]. Returns by how much those to the left are
+     * Stores both kinds of differences of a pixel, from number [at] on. Returns by how much those to the [left] are
      * greater.
      */
-    private fun subtract(argb: IntArray, row: Int, from: Int, until: Int): Long {
-        var more = 0L
-        var i = from * channels
-        for (x in row + from until row + until) {
-            val color = argb[x]
-            val left = argb[x - 1]
-            val above = argb[x - width]
-            for (channel in 0 until channels) {
-                val shift = SHIFTS[channel]
-                val toLeft = ((color shr shift) - (left shr shift)).toByte()
-                val toAbove = ((color shr shift) - (above shr shift)).toByte()
-                sub[i] = toLeft
-                up[i++] = toAbove
-                more += StrictMath.abs(toLeft.toInt()) - StrictMath.abs(toAbove.toInt())
-            }
+    private fun subtract(color: Int, left: Int, above: Int, at: Int): Long {
+        var more = 0
+        for (channel in 0 until channels) {
+            val shift = SHIFTS[channel]
+            val toLeft = ((color shr shift) - (left shr shift)).toByte()
+            val toAbove = ((color shr shift) - (above shr shift)).toByte()
+            sub[at + channel] = toLeft
+            up[at + channel] = toAbove
+            more += StrictMath.abs(toLeft.toInt()) - StrictMath.abs(toAbove.toInt())
         }
-        return more
+        return more.toLong()
     }
 
     /**
