@@ -4,6 +4,7 @@ import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import dev.lazyz.cli.batch.Series
+import dev.lazyz.scenes.outputs.PictureOutput
 import dev.lazyz.scenes.pictures.NamedValues
 import dev.lazyz.scenes.writers.animation.Animation
 import dev.lazyz.world.View
@@ -18,9 +19,10 @@ internal class SeriesOptions : OptionGroup("Several pictures") {
 
     private val turntable by option(
         "--turntable",
-        help = "N pictures, 2..3600, of a turn around the up axis: an animation, -o ends in .png, .apng or .gif; or " +
-            "a file for each, if -o contains {frame}",
-    ).count(2..MOST_STEPS)
+        help =
+        "N pictures, 2..${PictureOutput.MAX_STEPS}, of a turn around the up axis: an animation, -o ends in .png, " +
+            ".apng or .gif; or a file for each, if -o contains {frame}",
+    ).count(2..PictureOutput.MAX_STEPS)
 
     private val framesPerSecond by option(
         "--frames-per-second",
@@ -39,7 +41,6 @@ internal class SeriesOptions : OptionGroup("Several pictures") {
     fun series() = Series(turntable, framesPerSecond, isSheet, columns)
 
     private companion object {
-        const val MOST_STEPS = 3600
         const val MOST_COLUMNS = 1000
     }
 }

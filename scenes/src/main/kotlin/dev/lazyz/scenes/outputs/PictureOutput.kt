@@ -161,7 +161,7 @@ public class PictureOutput private constructor(
      */
     public enum class Word(public val id: String, public val form: String, public val help: String) {
         AOV("aov", "AOV,AOV", "Data of pixels in place of the picture, a .npz file"),
-        TURNTABLE("turntable", "N", "An animated PNG of a turn in N steps, 2..3600"),
+        TURNTABLE("turntable", "N", "An animated PNG of a turn in N steps, 2..$MAX_STEPS"),
         VIEWS("views", "SIDE,SIDE", "One picture with a view from each of these sides"),
         SPEED(
             "frames-per-second", "N",
@@ -178,8 +178,8 @@ public class PictureOutput private constructor(
         private val AOVS = NamedValues("AOV", (Aov.entries - Aov.SHADING_CALLS).associateBy { it.id })
         private val VIEWS = NamedValues("SIDE", NamedValues.words(View.entries))
 
-        /** As for `zcli`. */
-        private val STEPS = 2..3600
+        /** Most pictures of a turn. */
+        public const val MAX_STEPS: Int = 3600
 
         /**
          * Returns the output that [words] describe, the names of which are in [WORDS], of pictures with [settings].
@@ -191,7 +191,7 @@ public class PictureOutput private constructor(
         public fun read(words: Map<String, String>, settings: PictureSettings): PictureOutput {
             val (aov, turntable, views, speed) = Word.entries.map { word -> words[word.id]?.let { word to it } }
             val output = PictureOutput(
-                aov?.list(AOVS).orEmpty().toSet(), turntable?.number(STEPS),
+                aov?.list(AOVS).orEmpty().toSet(), turntable?.number(2..MAX_STEPS),
                 speed?.number(1..Animation.MAX_FRAMES_PER_SECOND) ?: Animation.DEFAULT_FRAMES_PER_SECOND,
                 views?.list(VIEWS).orEmpty(),
             )

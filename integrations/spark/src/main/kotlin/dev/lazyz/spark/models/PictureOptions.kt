@@ -23,6 +23,9 @@ import java.io.Serializable
  * @property words the words as they were given
  */
 public class PictureOptions(public val words: String) : Serializable {
+    /** Names with their values. */
+    private val pairs: List<Pair<String, String>> = pairs(words)
+
     init {
         // Look at all words now, so that the driver reports mistakes and not each task
         settings().check()
@@ -35,7 +38,7 @@ public class PictureOptions(public val words: String) : Serializable {
     internal fun has(column: String): Boolean = column in columns()
 
     internal fun settings(): PictureSettings =
-        PictureDoor.SPARK.read(USUAL, pairs().filter { (name, _) -> name !in OWN })
+        PictureDoor.SPARK.read(USUAL, pairs.filter { (name, _) -> name !in OWN })
 
     internal val model: String? get() = last(MODEL)
 
@@ -54,32 +57,7 @@ public class PictureOptions(public val words: String) : Serializable {
         }
     }
 
-    private fun last(name: String): String? = pairs().lastOrNull { it.first == name }?.second
-
-    /** Returns names with their values. */
-    private fun pairs(): List<Pair<String, String>> {
-        val pairs = ArrayList<Pair<String, String>>()
-        val quoted = words.split('"')
-        require(quoted.size % 2 == 1) { "a quote has no end: $words" }
-        val plain = quoted.withIndex().joinToString("") { (number, part) ->
-            if (number % 2 == 0) part else part.replace(' ', QUOTED_SPACE).replace(',', QUOTED_COMMA)
-        }
-        for (word in plain.split(' ').filter { it.isNotEmpty() }) {
-            for ((number, part) in word.split(',').withIndex()) {
-                val isWord = number == 0 || '=' in part
-                val name = part.substringBefore('=')
-                when {
-                    part.isEmpty() -> Unit
-                    isWord && name !in NAMES -> throw IllegalArgumentException(
-                        "'$part' is not NAME=VALUE with a NAME of ${NAMES.joinToString()}",
-                    )
-                    isWord -> pairs.add(name to part.substringAfter('=', "true"))
-                    else -> pairs.add(pairs.removeLast().let { (last, value) -> last to "$value,$part" })
-                }
-            }
-        }
-        return pairs.map { (name, value) -> name to value.replace(QUOTED_SPACE, ' ').replace(QUOTED_COMMA, ',') }
-    }
+    private fun last(name: String): String? = pairs.lastOrNull { it.first == name }?.second
 
     override fun toString(): String = "PictureOptions($words)"
 
@@ -94,5 +72,30 @@ public class PictureOptions(public val words: String) : Serializable {
         private val KNOWN = listOf("png", "pixels", "depth")
         private val OWN = listOf(COLUMNS, MODEL) + PictureOutput.WORDS.keys
         private val NAMES = PictureDoor.SPARK.parameters.map { it.name } + OWN
+
+        /** Returns names with their values. */
+        private fun pairs(words: String): List<Pair<String, String>> {
+            val pairs = ArrayList<Pair<String, String>>()
+            val quoted = words.split('"')
+            require(quoted.size % 2 == 1) { "a quote has no end: $words" }
+            val plain = quoted.withIndex().joinToString("") { (number, part) ->
+                if (number % 2 == 0) part else part.replace(' ', QUOTED_SPACE).replace(',', QUOTED_COMMA)
+            }
+            for (word in plain.split(' ').filter { it.isNotEmpty() }) {
+                for ((number, part) in word.split(',').withIndex()) {
+                    val isWord = number == 0 || '=' in part
+                    val name = part.substringBefore('=')
+                    when {
+                        part.isEmpty() -> Unit
+                        isWord && name !in NAMES -> throw IllegalArgumentException(
+                            "'$part' is not NAME=VALUE with a NAME of ${NAMES.joinToString()}",
+                        )
+                        isWord -> pairs.add(name to part.substringAfter('=', "true"))
+                        else -> pairs.add(pairs.removeLast().let { (last, value) -> last to "$value,$part" })
+                    }
+                }
+            }
+            return pairs.map { (name, value) -> name to value.replace(QUOTED_SPACE, ' ').replace(QUOTED_COMMA, ',') }
+        }
     }
 }
