@@ -6,7 +6,8 @@ package dev.lazyz.shading.pbr
  * at [ROUGHNESS]; radiance from [RADIANCE] on and irradiance from [IRRADIANCE] on; reflectance at grazing incidence at
  * [GRAZING]. What follows is set for materials with lobes only: the colour of sheen from [SHEEN] on and its roughness,
  * the strength, roughness and normal of a clear coat from [COAT] on, the part of light that passes in each colour from
- * [TRANSMITTED] on, and that of all light, at [PASSED]; the strength, index and thickness of a thin film from [FILM] on.
+ * [TRANSMITTED] on, and that of all light, at [PASSED]; the strength, index and thickness of a thin film from [FILM]
+ * on.
  */
 internal object PhysicalSurface {
     const val DIFFUSE: Int = 0

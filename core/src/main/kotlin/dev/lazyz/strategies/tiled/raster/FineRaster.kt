@@ -47,8 +47,8 @@ internal class FineRaster(
     }
 
     /**
-     * Counts so many [fragments], of which so many were in front of what was drawn before. Looking for the farthest keys
-     * again is as much work as comparing [compared] samples, see [VisibilityBuffer.compared].
+     * Counts so many [fragments], of which so many were in front of what was drawn before. Those [compared] did not
+     * update the farthest keys of their blocks, see [VisibilityBuffer.compared]; cheap ones count in part.
      */
     fun count(fragments: Int, passes: Int, compared: Int = fragments) {
         counters.fragments += fragments
