@@ -196,8 +196,8 @@ public object Scenes {
         FormatSniffer.format(bytes, size)
 
     /**
-     * Reads an image file as a texture: PNG, JPEG, WebP, TGA, TIFF, BMP, GIF or WBMP. Texels are the sRGB codes of the
-     * file; colour profiles are ignored.
+     * Reads an image file as a texture: PNG, JPEG, WebP, KTX2, TGA, TIFF, BMP, GIF or WBMP. Texels are the sRGB codes
+     * of the file; colour profiles are ignored.
      *
      * @param limits limits on the number of texels and on memory
      * @throws SceneFormatException if the file is missing, unreadable, no image, or exceeds one of the [limits]

@@ -32,8 +32,8 @@ internal class DiffCommand(private val streams: Streams) :
     PictureCommand<DiffOptions>("diff", DiffOptions(), usualFactor = PictureSettings.USUAL_FACTOR) {
     private val old by argument(
         "OLD",
-        help = "A model, as INPUT of 'zcli render'; or a picture: a PNG, PPM, WebP, TGA, TIFF, BMP, GIF, WBMP or " +
-            "JPEG file",
+        help = "A model, as INPUT of 'zcli render'; or a picture: a PNG, PPM, WebP, KTX2, TGA, TIFF, BMP, GIF, WBMP " +
+            "or JPEG file",
         completionCandidates = Completions.inputs,
     )
 

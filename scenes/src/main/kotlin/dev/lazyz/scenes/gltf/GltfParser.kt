@@ -91,7 +91,7 @@ internal object GltfExtensions {
         GltfNodes.VISIBILITY,
         RelativeToCenter.NAME,
         VARIANTS,
-    ) + LobeExtensions.all + GltfCompressedViews.NAMES + GltfTextures.formats.keys
+    ) + LobeExtensions.all + GltfCompressedViews.NAMES + GltfTextures.extensions
 
     private const val MOST_SHOWN = 20
 

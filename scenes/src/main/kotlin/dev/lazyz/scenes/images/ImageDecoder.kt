@@ -9,6 +9,7 @@ import dev.lazyz.world.material.Texture.MipFilter
 import java.awt.image.BufferedImage
 import java.io.ByteArrayInputStream
 import java.io.IOException
+import java.nio.file.Files
 import java.nio.file.Path
 import javax.imageio.ImageIO
 import javax.imageio.ImageReader
@@ -17,7 +18,7 @@ import javax.imageio.stream.MemoryCacheImageInputStream
 
 /**
  * Decodes image files with the readers of the JDK, PNG, JPEG, TIFF, BMP, GIF and WBMP, of several images the first;
- * WebP; and TGA. The readers see only the [NeededParts] of a file.
+ * WebP; KTX2; and TGA. The readers see only the [NeededParts] of a file.
  */
 internal object ImageDecoder {
     /** The maximum length of an array. */
@@ -71,6 +72,12 @@ internal object ImageDecoder {
         look: () -> Unit,
         convert: (BufferedImage) -> T,
     ): T? {
+        val ktx2 = Ktx2Image.of(bytes)
+        if (ktx2 != null) {
+            if (ktx2.pixels > MAX_PIXELS) return null
+            admit(ktx2.pixels, Loading.DECODING_BYTES * ktx2.pixels)
+            return convert(ktx2.decode())
+        }
         val isWebP = WebPImage.isWebP(bytes)
         val reader = if (isWebP) WebPImage.reader(bytes, look) else readerOf(bytes)
         if (reader == null) {
@@ -137,15 +144,32 @@ internal object ImageDecoder {
 }
 
 /**
- * Reads textures from image files: PNG, JPEG, WebP, TGA, and the other formats that the JDK reads (TIFF, BMP, GIF,
- * WBMP).
+ * Reads textures from image files: PNG, JPEG, WebP, KTX2, TGA, and the other formats that the JDK reads (TIFF, BMP,
+ * GIF, WBMP).
  *
  * Texels are the codes that the file stores, see [Texels]; colour profiles are ignored. The codes of a JPEG are those
  * that the JDK's decoder computes, which can differ between JDKs. Textures have the filter [MipFilter.ANISOTROPIC].
  */
 internal object TextureFiles {
-    /** The text of a warning about an image that exists but cannot be decoded. */
-    const val NOT_DECODED: String = "cannot be decoded and is left out; save it as PNG, JPEG or WebP"
+    /** How many bytes of a file tell its format. */
+    private const val START = 512
+    private val avif = listOf("ftypavif", "ftypavis").map { it.toByteArray(Charsets.ISO_8859_1) }
+
+    /** Returns the text of a warning about an image that exists but cannot be decoded, and begins with [bytes]. */
+    fun notDecoded(bytes: ByteArray): String {
+        val isAvif = avif.any { it.isAt(bytes, 4) }
+        val format = if (isAvif) "AVIF; save it as PNG, JPEG or WebP" else Ktx2Image.refusal(bytes)
+        return "cannot be decoded and is left out" + (format?.let { ": it is $it" } ?: "; save it as PNG, JPEG or WebP")
+    }
+
+    /** As [notDecoded], for the image in [file]. */
+    fun notDecoded(file: Path): String = notDecoded(
+        try {
+            Files.newInputStream(file).use { it.readNBytes(START) }
+        } catch (_: IOException) {
+            ByteArray(0)
+        },
+    )
 
     /**
      * Returns the image in [bytes], which [source] contains or refers to, as a texture called [name]; null if it
@@ -172,7 +196,7 @@ internal object TextureFiles {
             return null
         }
         val texture = ofFile(source, found.file)
-        if (texture == null) source.warn("texture ", reference, " $NOT_DECODED")
+        if (texture == null) source.warn("texture ", reference, " ${notDecoded(found.file)}")
         return texture
     }
 

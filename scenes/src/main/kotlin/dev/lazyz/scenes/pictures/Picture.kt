@@ -75,7 +75,7 @@ public class Picture private constructor(public val width: Int, public val heigh
         }
 
         /**
-         * Reads an image file: PNG, binary PPM, WebP, TGA, TIFF, BMP, GIF, WBMP, or JPEG, whose pixels can differ
+         * Reads an image file: PNG, binary PPM, WebP, KTX2, TGA, TIFF, BMP, GIF, WBMP, or JPEG, whose pixels can differ
          * between JDKs. Of several images in a file, it reads the first.
          *
          * @throws SceneReadException if the file is missing or unreadable

@@ -68,7 +68,7 @@ internal class ThreeMfTextures(private val source: Source, private val archive: 
         val bytes = archive.bytes(path)
         val texture = bytes?.let { TextureFiles.decode(source, it, path.substringAfterLast('/')) }
         if (bytes == null) source.warn("texture ", path, " is not in the package and is left out")
-        if (bytes != null && texture == null) source.warn("texture ", path, " ${TextureFiles.NOT_DECODED}")
+        if (bytes != null && texture == null) source.warn("texture ", path, " ${TextureFiles.notDecoded(bytes)}")
         return texture
     }
 

@@ -5,6 +5,7 @@ import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
 import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
+import java.util.Base64
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 
@@ -59,14 +60,15 @@ class GltfOmissionsTest {
     @Test
     fun formatsThatAreNotDecodedAreNamedUnlessThereIsAnotherImage() {
         val textured = { index: Int -> """{"pbrMetallicRoughness":{"baseColorTexture":{"index":$index}}}""" }
-        for ((extension, format) in mapOf("KHR_texture_basisu" to "KTX2", "EXT_texture_avif" to "AVIF")) {
-            val only = """{"extensions":{"$extension":{"source":0}}}"""
-            val both = """{"source":0,"extensions":{"$extension":{"source":0}}}"""
-            val images = ""","images":[{"bufferView":2}],"extensionsRequired":["$extension"]"""
+        for (extension in listOf("KHR_texture_basisu", "EXT_texture_avif")) {
+            val only = """{"extensions":{"$extension":{"source":1}}}"""
+            val both = """{"source":0,"extensions":{"$extension":{"source":1}}}"""
+            val data = Base64.getEncoder().encodeToString("    ftypavif".toByteArray())
+            val avif = """{"uri":"data:image/avif;base64,$data"}"""
+            val images = ""","images":[{"bufferView":2},$avif],"extensionsRequired":["$extension"]"""
             val materials = ""","materials":[${textured(0)},${textured(1)}]"""
-            val sentence = "textures whose only image is of the extension $extension ($format) are left out; " +
-                "save them as PNG, JPEG or WebP"
-            assertEquals(listOf("$sentence: 2"), warnings("""$materials,"textures":[$only,$only]$images"""))
+            val sentence = "images[1] cannot be decoded and is left out: it is AVIF; save it as PNG, JPEG or WebP"
+            assertEquals(listOf(sentence), warnings("""$materials,"textures":[$only,$only]$images"""))
             assertEquals(emptyList<String>(), warnings("""$materials,"textures":[$both,$both]$images"""))
         }
         val webP = """{"extensions":{"EXT_texture_webp":{"source":0}}}"""

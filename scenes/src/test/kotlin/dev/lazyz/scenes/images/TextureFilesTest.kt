@@ -9,7 +9,12 @@ import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.world.material.Texture
+import java.awt.Transparency
+import java.awt.color.ColorSpace
+import java.awt.color.ICC_ColorSpace
+import java.awt.color.ICC_Profile
 import java.awt.image.BufferedImage
+import java.awt.image.ComponentColorModel
 import java.awt.image.DataBuffer
 import java.awt.image.Raster
 import java.io.ByteArrayOutputStream
@@ -71,6 +76,44 @@ class TextureFilesTest {
         assertEquals(listOf("FFFFFFFF", "FF000000", "FFFFFFFF"), texels(bits))
         val fourBits = PngFile.of(2, 1, 4, PngFile.GREY, listOf(bytes(0x7F)))
         assertEquals(listOf("FF777777", "FFFFFFFF"), texels(fourBits))
+    }
+
+    @Test
+    fun profilesAndOrientationsAreIgnored() {
+        val linear = ICC_Profile.getInstance(ColorSpace.CS_LINEAR_RGB)
+        val model = ComponentColorModel(ICC_ColorSpace(linear), false, false, Transparency.OPAQUE, DataBuffer.TYPE_BYTE)
+        val raster = Raster.createInterleavedRaster(DataBuffer.TYPE_BYTE, 2, 1, 3, null)
+        raster.setPixels(0, 0, 2, 1, intArrayOf(10, 200, 30, 40, 50, 60))
+        val tiff = ByteArrayOutputStream()
+        assertTrue(ImageIO.write(BufferedImage(model, raster, false, null), "tiff", tiff))
+        assertTrue(String(tiff.toByteArray(), Charsets.ISO_8859_1).contains("acsp"), "the profile is in the file")
+        assertEquals(listOf("FF0AC81E", "FF28323C"), texels(tiff.toByteArray()))
+
+        // Turned by a quarter: the tag 0x112 of TIFF has the number 6
+        val turned = "II*".toByteArray() + bytes(0, 8, 0, 0, 0, 1, 0, 0x12, 1, 3, 0, 1, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0)
+        val exif = "Exif".toByteArray() + bytes(0, 0) + turned
+        val profile = "ICC_PROFILE".toByteArray() + bytes(0, 1, 1) + linear.data
+        val plain = jpeg(BufferedImage(24, 8, BufferedImage.TYPE_3BYTE_BGR), ImageWriteParam.MODE_DISABLED)
+        val segments = listOf(0xE1 to exif, 0xE2 to profile).fold(ByteArray(0)) { all, (code, data) ->
+            all + bytes(0xFF, code, (data.size + 2) shr 8, data.size + 2) + data
+        }
+        val odd = plain.copyOf(2) + segments + plain.copyOfRange(2, plain.size)
+        assertEquals(24, checkNotNull(TextureFiles.decode(source, odd, "test")).width)
+        assertEquals(texels(plain), texels(odd))
+        val rows = listOf(bytes(10, 200, 30, 40, 50, 60))
+        val png = PngFile.of(2, 1, 8, PngFile.RGB, rows, "gAMA" to bytes(0, 1, 0x86, 0xA0), "eXIf" to turned)
+        assertEquals(listOf("FF0AC81E", "FF28323C"), texels(png))
+    }
+
+    @Test
+    fun wideColoursWithAlphaAreRounded() {
+        val grey = PngFile.of(1, 1, 16, PngFile.GREY_ALPHA, listOf(bytes(0x80, 0x80, 0x40, 0xFF)))
+        assertEquals(listOf("41808080"), texels(grey))
+        val color = PngFile.of(1, 1, 16, PngFile.RGBA, listOf(bytes(1, 0, 2, 0xFF, 0xFF, 0xFF, 0, 0)))
+        assertEquals(listOf("000103FF"), texels(color))
+        val key = "tRNS" to bytes(1, 2, 3, 4, 5, 6)
+        val clear = PngFile.of(2, 1, 16, PngFile.RGB, listOf(bytes(1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 7)), key)
+        assertEquals(listOf("00", "FF"), texels(clear).map { it.take(2) })
     }
 
     /** A JPEG of one pixel of four numbers, with Adobe's marker that says how they are transformed, or without one. */

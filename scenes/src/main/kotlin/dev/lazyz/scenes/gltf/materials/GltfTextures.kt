@@ -19,7 +19,6 @@ internal class GltfTextures(private val document: GltfDocument) {
      * URI.
      */
     private val images = HashMap<Any, Texture?>()
-    private val undecoded = HashSet<Int>()
     private val textures = HashMap<Pair<Int?, Texture.Encoding>, Texture?>()
 
     /**
@@ -31,7 +30,11 @@ internal class GltfTextures(private val document: GltfDocument) {
 
     private fun read(index: Int?, where: String): Texture? {
         val texture = document.element(document.json.textures, index, "textures", where)
-        val source = texture.source ?: webP(texture) ?: return withoutImage(texture, checkNotNull(index))
+        val source = texture.source ?: other(texture)
+        if (source == null) {
+            document.warn("textures[$index]", " has no image of a known kind and is left out")
+            return null
+        }
         val image = document.element(document.json.images, source, "images", "textures[$index].source")
         val decoded = images.getOrPut(image.bufferView ?: image.uri ?: image) { decode(image, source) } ?: return null
         if (texture.sampler == null) return decoded
@@ -44,24 +47,9 @@ internal class GltfTextures(private val document: GltfDocument) {
         )
     }
 
-    private fun webP(texture: TextureJson): Int? = (texture.extension(WEBP)?.get("source") as? Number)?.toInt()
-
-    /**
-     * Reports a texture without an image that can be decoded. An extension may give the only image, in an unsupported
-     * format.
-     */
-    private fun withoutImage(texture: TextureJson, index: Int): Texture? {
-        val extension = formats.keys.firstOrNull { texture.extension(it) != null }
-        when {
-            extension == null -> document.warn("textures[$index]", " has no image of a known kind and is left out")
-            undecoded.add(index) ->
-                document.count(
-                    "textures whose only image is of the extension $extension (${formats[extension]}) are left out; " +
-                        "save them as PNG, JPEG or WebP",
-                )
-        }
-        return null
-    }
+    /** Returns the image in a format of an extension. */
+    private fun other(texture: TextureJson): Int? =
+        extensions.firstNotNullOfOrNull { (texture.extension(it)?.get("source") as? Number)?.toInt() }
 
     private fun wrap(wrap: Int?): Texture.Wrap = when (wrap) {
         SamplerJson.CLAMP_TO_EDGE -> Texture.Wrap.CLAMP
@@ -79,7 +67,7 @@ internal class GltfTextures(private val document: GltfDocument) {
             return null
         }
         val texture = TextureFiles.decode(document.source, bytes, image.name ?: "images[$index]")
-        if (texture == null) document.warn(label, " ${TextureFiles.NOT_DECODED}")
+        if (texture == null) document.warn(label, " ${TextureFiles.notDecoded(bytes)}")
         return texture
     }
 
@@ -90,7 +78,7 @@ internal class GltfTextures(private val document: GltfDocument) {
             return null
         }
         val texture = TextureFiles.ofFile(document.source, found.file)
-        if (texture == null) document.warn(label, " ${TextureFiles.NOT_DECODED}")
+        if (texture == null) document.warn(label, " ${TextureFiles.notDecoded(found.file)}")
         return texture
     }
 
@@ -102,17 +90,11 @@ internal class GltfTextures(private val document: GltfDocument) {
     }
 
     companion object {
-        private const val WEBP = "EXT_texture_webp"
-
         /**
-         * Extensions that refer to images in other formats, and the names of these formats. If a texture also has an
-         * image in a usual format, that one is used; if not, that of [WEBP].
+         * Extensions that refer to images in other formats. If a texture also has an image in a usual format, that one
+         * is used; if not, that of the first of these, which may be in a format that is not read.
          */
-        val formats = mapOf(
-            "KHR_texture_basisu" to "KTX2",
-            WEBP to "WebP",
-            "EXT_texture_avif" to "AVIF",
-            "MSFT_texture_dds" to "DDS",
-        )
+        val extensions =
+            listOf("EXT_texture_webp", "KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds")
     }
 }
