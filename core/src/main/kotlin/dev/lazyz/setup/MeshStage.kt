@@ -119,7 +119,7 @@ internal class MeshStage(
         val maps = material.maps
         if (hasUvs && (isCustom || maps.any { it.uvSet == 0 })) fields = fields or Attributes.UV
         if (mesh?.uvs2 != null && (isCustom || maps.any { it.uvSet == 1 })) fields = fields or Attributes.UV2
-        val usesTangents = material.isLitLate && material.tangentMap != null
+        val usesTangents = material.isLitLate && material.usesTangents
         if (mesh?.tangents != null && (isCustom || usesTangents)) fields = fields or Attributes.TANGENT
         val hasPlaces = fields and (Attributes.UV or Attributes.UV2) != 0
         if (hasPlaces && material.usesFootprint) fields = fields or Attributes.FOOTPRINT

@@ -4,6 +4,7 @@ import dev.lazyz.shading.pbr.PhysicalSurface
 import dev.lazyz.spi.Fragment
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
+import kotlin.math.sqrt
 
 /**
  * Stores the [Lobes] of a material at a fragment in its [Fragment.surface], see [PhysicalSurface]. Immutable and thread
@@ -27,11 +28,17 @@ internal class LobeReader private constructor(lobes: Lobes, isBlended: Boolean) 
     private val film = lobes.iridescence
     private val filmStrengthMap = MapReader.of(film?.strengthMap)
     private val filmThicknessMap = MapReader.of(film?.thicknessMap)
+    private val anisotropy = lobes.anisotropy?.let { AnisotropyReader(it) }
     private val thickGlass = FloatArray(3) { attenuated(it, 1f) }
 
-    /** Stores the normal of the clear coat. The normal of the [fragment] is still that of its surface. */
-    fun setCoatNormal(fragment: Fragment) {
-        if (coat == null) return
+    /** Stores the directions of the surface, while the normal of the [fragment] is still that of the vertices. */
+    fun setDirections(fragment: Fragment) {
+        fragment.surface[PhysicalSurface.ANISOTROPY] = 0f
+        anisotropy?.set(fragment)
+        if (coat != null) setCoatNormal(fragment)
+    }
+
+    private fun setCoatNormal(fragment: Fragment) {
         val x = fragment.normalX
         val y = fragment.normalY
         val z = fragment.normalZ
@@ -45,7 +52,7 @@ internal class LobeReader private constructor(lobes: Lobes, isBlended: Boolean) 
         fragment.normalZ = z
     }
 
-    /** Stores all but the normal, after [PhysicalSurface.set] for the base colour ([red], [green], [blue]). */
+    /** Stores all but the directions, after [PhysicalSurface.set] for the base colour ([red], [green], [blue]). */
     fun set(fragment: Fragment, red: Float, green: Float, blue: Float, metallic: Float) {
         val surface = fragment.surface
         surface[PhysicalSurface.SHEEN_ROUGHNESS] = 0f
@@ -139,6 +146,48 @@ internal class LobeReader private constructor(lobes: Lobes, isBlended: Boolean) 
             if (!material.isPhysical) return null
             val lobes = material.metallicRoughness?.lobes ?: return null
             return LobeReader(lobes, material.alphaMode == Material.AlphaMode.BLEND)
+        }
+    }
+}
+
+/** Stores the strength and the directions of anisotropy at a fragment (contract rule 6.16). Immutable. */
+private class AnisotropyReader(private val anisotropy: Lobes.Anisotropy) {
+    private val map = MapReader.of(anisotropy.map)
+    private val sine = StrictMath.sin(anisotropy.rotation * (StrictMath.PI / 180.0)).toFloat()
+    private val cosine = StrictMath.cos(anisotropy.rotation * (StrictMath.PI / 180.0)).toFloat()
+
+    /** Stores them, or nothing if the [fragment] has no tangent or its texel no direction. */
+    fun set(fragment: Fragment) {
+        var right = 1f
+        var up = 0f
+        var strength = anisotropy.strength
+        if (map != null) {
+            val texel = map.read(fragment)
+            right = 2f * texel[0] - 1f
+            up = 2f * texel[1] - 1f
+            strength *= texel[2]
+        }
+        val x0 = cosine * right - sine * up
+        val y0 = sine * right + cosine * up
+        val length = sqrt(x0 * x0 + y0 * y0)
+        if (!(length > 0f)) return
+        val along = x0 / length
+        val across = y0 / length * (if (fragment.tangentW < 0f) -1f else 1f)
+        TangentFrame.of(
+            fragment.normalX, fragment.normalY, fragment.normalZ,
+            fragment.tangentX, fragment.tangentY, fragment.tangentZ,
+        ) { nx, ny, nz, tx, ty, tz ->
+            val x = along * tx + across * (ny * tz - nz * ty)
+            val y = along * ty + across * (nz * tx - nx * tz)
+            val z = along * tz + across * (nx * ty - ny * tx)
+            val surface = fragment.surface
+            surface[PhysicalSurface.ANISOTROPY] = strength
+            surface[PhysicalSurface.ALONG] = x
+            surface[PhysicalSurface.ALONG + 1] = y
+            surface[PhysicalSurface.ALONG + 2] = z
+            surface[PhysicalSurface.ACROSS] = ny * z - nz * y
+            surface[PhysicalSurface.ACROSS + 1] = nz * x - nx * z
+            surface[PhysicalSurface.ACROSS + 2] = nx * y - ny * x
         }
     }
 }

@@ -98,7 +98,40 @@ internal class NormalReader private constructor(private val map: MapReader, priv
         tangentW: Float,
         use: (Float, Float, Float) -> Unit,
     ) {
-        // Unit normal, and the unit tangent at a right angle to it
+        TangentFrame.of(normalX, normalY, normalZ, tangentX, tangentY, tangentZ) { nx, ny, nz, tx, ty, tz ->
+            // The normal of the map, in the space of tangent, bitangent and normal
+            val right = (2f * texel[0] - 1f) * scale
+            val up = (2f * texel[1] - 1f) * scale * (if (tangentW < 0f) -1f else 1f)
+            val out = 2f * texel[2] - 1f
+            use(
+                right * tx + up * (ny * tz - nz * ty) + out * nx,
+                right * ty + up * (nz * tx - nx * tz) + out * ny,
+                right * tz + up * (nx * ty - ny * tx) + out * nz,
+            )
+        }
+    }
+
+    companion object {
+        fun of(normalMap: NormalMap?): NormalReader? =
+            normalMap?.let { NormalReader(MapReader.of(it.map)!!, it.scale) }
+    }
+}
+
+/** The directions of a surface at a fragment. */
+internal object TangentFrame {
+    /**
+     * Passes the unit normal, and the unit tangent at a right angle to it, to [use]; nothing if one of them has no
+     * length.
+     */
+    inline fun of(
+        normalX: Float,
+        normalY: Float,
+        normalZ: Float,
+        tangentX: Float,
+        tangentY: Float,
+        tangentZ: Float,
+        use: (nx: Float, ny: Float, nz: Float, tx: Float, ty: Float, tz: Float) -> Unit,
+    ) {
         val length = sqrt(normalX * normalX + normalY * normalY + normalZ * normalZ)
         val nx = normalX / length
         val ny = normalY / length
@@ -112,20 +145,6 @@ internal class NormalReader private constructor(private val map: MapReader, priv
         tx /= extent
         ty /= extent
         tz /= extent
-
-        // The normal of the map, in the space of tangent, bitangent and normal
-        val right = (2f * texel[0] - 1f) * scale
-        val up = (2f * texel[1] - 1f) * scale * (if (tangentW < 0f) -1f else 1f)
-        val out = 2f * texel[2] - 1f
-        use(
-            right * tx + up * (ny * tz - nz * ty) + out * nx,
-            right * ty + up * (nz * tx - nx * tz) + out * ny,
-            right * tz + up * (nx * ty - ny * tx) + out * nz,
-        )
-    }
-
-    companion object {
-        fun of(normalMap: NormalMap?): NormalReader? =
-            normalMap?.let { NormalReader(MapReader.of(it.map)!!, it.scale) }
+        use(nx, ny, nz, tx, ty, tz)
     }
 }

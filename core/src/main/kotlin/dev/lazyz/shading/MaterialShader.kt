@@ -83,7 +83,7 @@ internal class MaterialShader(
 
         // Light
         if (isLit) {
-            lobes?.setCoatNormal(fragment)
+            lobes?.setDirections(fragment)
             normalMap?.apply(fragment)
             val occlusion = if (occlusionMap == null) 1f else occlusion(occlusionMap.read(fragment))
             val light = fragment.light

@@ -164,7 +164,7 @@ public class Fragment {
     internal val light: FloatArray = FloatArray(6)
 
     /** Scratch array for a physically based material at a sample. */
-    internal val surface: FloatArray = FloatArray(30)
+    internal val surface: FloatArray = FloatArray(37)
 
     /** A batch of one fragment, for a [BatchShader] that is called with this fragment. */
     internal val singleBatch: FragmentBatch by lazy(LazyThreadSafetyMode.NONE) { FragmentBatch(1) }

@@ -81,6 +81,7 @@ class StrategiesAgreeTest {
             Lobes.Clearcoat(0.5f, 0.5f, normalMap = NormalMap(map(1, Texture.Encoding.LINEAR))),
             Lobes.Transmission(0.5f, null, 1f, map(0, Texture.Encoding.LINEAR), Rgba(0.5f, 0.75f, 1f), 2f),
             Lobes.Iridescence(0.5f, thicknessMap = map(0, Texture.Encoding.LINEAR)),
+            Lobes.Anisotropy(0.5f, 30f, map(1, Texture.Encoding.LINEAR)),
         ).takeIf { hasLobes }
         val material = Material(Rgba(0.9f, 0.8f, 0.7f, 0.75f), emission = Rgba(0.5f, 1f, 2f), alphaMode = mode)
             .withTextureMap(map(1, Texture.Encoding.SRGB))

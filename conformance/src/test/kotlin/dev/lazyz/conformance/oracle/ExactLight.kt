@@ -36,6 +36,9 @@ internal class ExactLight(
     /** A point of a surface; its normal may have any length. */
     class Place(val point: Vector3dc, val normal: Vector3dc)
 
+    /** Directions at right angles on a surface, along which highlights are longer by the [strength], and across. */
+    class Stretch(val along: Vector3d, val across: Vector3d, val strength: Double)
+
     /** A light as seen from a point: the unit vector to it, and the factor of its colour. */
     private class Beam(val color: DoubleArray, val direction: Vector3d)
 
@@ -97,6 +100,7 @@ internal class ExactLight(
         metallic: Double,
         roughness: Double,
         specular: Lobes.Specular?,
+        stretch: Stretch?,
         place: Place,
         graze: Double,
     ): DoubleArray? {
@@ -104,7 +108,7 @@ internal class ExactLight(
         val tint = specular?.let { parts(it.color) } ?: doubleArrayOf(1.0, 1.0, 1.0)
         val atNormal = specular?.refraction?.toDouble()?.let { Math.pow((it - 1) / (it + 1), 2.0) } ?: 0.04
         val f90 = strength * (1 - metallic) + metallic
-        return fromLights(DoubleArray(3), place, roughness, graze) { k, grazing, lobe ->
+        return fromLights(DoubleArray(3), place, roughness, graze, stretch) { k, grazing, lobe ->
             val f0 = minOf(atNormal * tint[k], 1.0) * strength * (1 - metallic) + color[k] * metallic
             val f = f0 + (f90 - f0) * grazing
             (1 - f) * (color[k] * (1 - metallic)) + f * lobe
@@ -117,7 +121,7 @@ internal class ExactLight(
         val n = unitNormal(place.normal, v) ?: return null
         val weight = coat.strength * (0.04 + 0.96 * Math.pow(1 - minOf(1.0, Math.abs(n.dot(v))), 5.0))
         val rest = DoubleArray(3) { below[it] * (1 - weight) }
-        return fromLights(rest, place, coat.roughness.toDouble(), graze) { _, _, lobe -> weight * lobe }
+        return fromLights(rest, place, coat.roughness.toDouble(), graze, null) { _, _, lobe -> weight * lobe }
     }
 
     /**
@@ -129,6 +133,7 @@ internal class ExactLight(
         place: Place,
         roughness: Double,
         graze: Double,
+        stretch: Stretch?,
         reflected: (k: Int, grazing: Double, lobe: Double) -> Double,
     ): DoubleArray? {
         val v = toViewer(place.point).normalize()
@@ -142,7 +147,7 @@ internal class ExactLight(
             val h = Vector3d(l).add(v)
             if (h.length() < LEAST) return null
             h.normalize()
-            val lobe = lobe(n, l, v, h, roughness)
+            val lobe = if (stretch == null) lobe(n, l, v, h, roughness) else lobe(n, l, v, h, roughness, stretch)
             val grazing = Math.pow(1 - minOf(1.0, Math.abs(v.dot(h))), 5.0)
             for (k in 0 until 3) sum[k] += beam.color[k] * cosine * reflected(k, grazing, lobe)
         }
@@ -156,6 +161,19 @@ internal class ExactLight(
         val across = Vector3d(n).cross(h).lengthSquared()
         val width = n.dot(h) * n.dot(h) * alpha * alpha + across
         return alpha * alpha / (width * width) / (smith(n.dot(l), alpha) * smith(Math.abs(n.dot(v)), alpha))
+    }
+
+    /** The product D V of rule 6.16. */
+    private fun lobe(n: Vector3d, l: Vector3d, v: Vector3d, h: Vector3d, roughness: Double, stretch: Stretch): Double {
+        if (!(n.dot(h) > 0.0)) return 0.0
+        val narrow = maxOf(roughness * roughness, 1.0 / 512)
+        val wide = narrow + (1 - narrow) * stretch.strength * stretch.strength
+        val (t, b) = stretch.along to stretch.across
+        val slope = Math.pow(t.dot(h) / wide, 2.0) + Math.pow(b.dot(h) / narrow, 2.0) + Math.pow(n.dot(h), 2.0)
+        val (fromLight, toViewer) = listOf(l, v).map {
+            Math.abs(n.dot(it)) + Vector3d(wide * t.dot(it), narrow * b.dot(it), n.dot(it)).length()
+        }
+        return 1 / (wide * narrow * slope * slope) / (fromLight * toViewer)
     }
 
     private fun smith(cosine: Double, alpha: Double) =

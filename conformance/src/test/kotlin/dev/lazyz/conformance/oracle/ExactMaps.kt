@@ -75,22 +75,42 @@ internal class ExactMaps(
 
     private fun differs(a: Double, b: Double) = Math.abs(a - b) > 1e-3
 
-    /** Returns the normal that a normal map makes, of any length; null where rounding decides. */
-    fun normal(texels: Texels): Vector3d? {
+    /** Tangent, bitangent and normal, of unit length and at right angles. */
+    private class Axes(val t: Vector3d, val b: Vector3d, val n: Vector3d)
+
+    /** Something that may be missing. */
+    class Maybe<T>(val value: T?)
+
+    /** The axes of the surface, without a value if it has none; null where rounding decides. */
+    private fun axes(): Maybe<Axes>? {
         val normal = sample.normal
-        val map = material.normalMap ?: return normal
         val tangent = Vector3d(sample.n[Corner.TANGENT], sample.n[Corner.TANGENT + 1], sample.n[Corner.TANGENT + 2])
-        if (normal.length() == 0.0 || tangent.length() == 0.0) return normal
+        if (normal.length() == 0.0 || tangent.length() == 0.0) return Maybe(null)
         if (normal.length() < LEAST || tangent.length() < LEAST) return null
         val n = Vector3d(normal).normalize()
         val t = Vector3d(tangent).sub(Vector3d(n).mul(n.dot(tangent)))
         val sign = sample.n[Corner.TANGENT + 3]
         if (t.length() < LEAST || Math.abs(sign) < LEAST) return null
         t.normalize()
-        val b = Vector3d(n).cross(t).mul(Math.signum(sign))
+        return Maybe(Axes(t, Vector3d(n).cross(t).mul(Math.signum(sign)), n))
+    }
+
+    /** Returns the normal that a normal map makes, of any length; null where rounding decides. */
+    fun normal(texels: Texels): Vector3d? {
+        val map = material.normalMap ?: return sample.normal
+        val axes = (axes() ?: return null).value ?: return sample.normal
         val (x, y, z) = texels.normal.map { 2 * it - 1 }
         val scale = map.scale.toDouble()
-        return t.mul(x * scale).add(b.mul(y * scale)).add(n.mul(z))
+        return axes.t.mul(x * scale).add(axes.b.mul(y * scale)).add(axes.n.mul(z))
+    }
+
+    /** Returns the directions of anisotropy, without a value if there is none; null where rounding decides. */
+    fun stretch(): Maybe<ExactLight.Stretch>? {
+        val lobe = material.metallicRoughness?.lobes?.anisotropy ?: return Maybe(null)
+        val axes = (axes() ?: return null).value ?: return Maybe(null)
+        val turn = Math.toRadians(lobe.rotation.toDouble())
+        val along = axes.t.mul(Math.cos(turn)).add(axes.b.mul(Math.sin(turn)))
+        return Maybe(ExactLight.Stretch(along, Vector3d(axes.n).cross(along), lobe.strength.toDouble()))
     }
 
     private companion object {

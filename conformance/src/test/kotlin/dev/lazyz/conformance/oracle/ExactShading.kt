@@ -166,7 +166,8 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
                 else -> {
                     val normal = maps.normal(texels) ?: return emptyList()
                     val place = ExactLight.Place(sample.world, normal)
-                    lit(material, own, texels, place, sample.normal, isPhong, graze) ?: return emptyList()
+                    val stretch = (maps.stretch() ?: return emptyList()).value
+                    lit(material, own, texels, place, stretch, sample.normal, isPhong, graze) ?: return emptyList()
                 }
             }
             val isAdded = material.emissionMap != null && !ExactLight.hasLobes(material)
@@ -183,6 +184,7 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         own: DoubleArray,
         texels: ExactMaps.Texels,
         place: ExactLight.Place,
+        stretch: ExactLight.Stretch?,
         ownNormal: Vector3dc,
         isPhong: Boolean,
         graze: Double,
@@ -191,7 +193,8 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         if (model != null) {
             val (metallic, roughness) = model.metallic * texels.metallic to model.roughness * texels.roughness
             val lobes = model.lobes
-            val reflected = light.reflected(own, metallic, roughness, lobes?.specular, place, graze) ?: return null
+            val reflected =
+                light.reflected(own, metallic, roughness, lobes?.specular, stretch, place, graze) ?: return null
             if (lobes == null) return sum(reflected, emission(material))
             val emitted = ExactLight.parts(material.emission)
             val below = DoubleArray(3) { reflected[it] + emitted[it] * texels.emission[it] }

@@ -98,10 +98,12 @@ class ExactShadingTest {
         FrameCase(known.frame(raster), "// without what the oracle does not know\n${case.code}", known)
     }
 
-    /** Without sheen and transmission, whose albedos are tables, and without films. */
+    /** Without sheen and transmission, whose albedos are tables, and without films; all with anisotropy. */
     private fun withKnownLobes(material: Material): Material {
         val model = material.metallicRoughness ?: return material
-        val lobes = model.lobes?.let { Lobes(it.specular, clearcoat = it.clearcoat) }
+        val lobes = model.lobes?.let {
+            Lobes(it.specular, clearcoat = it.clearcoat, anisotropy = it.anisotropy ?: Lobes.Anisotropy(0.75f, 30f))
+        }
         return material.withMetallicRoughness(model.withLobes(lobes))
     }
 

@@ -6,9 +6,8 @@ import dev.lazyz.world.AmbientVisibility
 import kotlin.math.abs
 
 /**
- * The light of a surface with a film, sheen, a clear coat or transmission (contract rule 6.16), in single precision, in
- * the order written: what [base] reflects, and what these layers add to it and keep away from it. Immutable and thread
- * safe.
+ * The light of a surface with lobes (contract rule 6.16), in single precision, in the order written: what [base]
+ * reflects, or [AnisotropicLighting], and what layers add to it and keep away from it. Immutable and thread safe.
  *
  * Sources: the specifications of `KHR_materials_sheen`, `KHR_materials_clearcoat` and `KHR_materials_transmission`,
  * Khronos Group.
@@ -20,6 +19,8 @@ internal class LobeLighting(
     private val visibility: AmbientVisibility?,
     private val base: PhysicalLighting,
 ) {
+    private val stretched = AnisotropicLighting(viewer, sources, visibility, base)
+
     /**
      * Replaces the emission in 0..2 of [out] by all light that leaves the surface toward the viewer, and stores in
      * [surface] which part of the light from behind passes. The parameters are those of [PhysicalLighting.illuminate].
@@ -44,7 +45,11 @@ internal class LobeLighting(
                 film(surface, minOf(abs(nx * vx + ny * vy + nz * vz), 1f))
             }
         }
-        base.illuminate(surface, occlusion, px, py, pz, normalX, normalY, normalZ, out)
+        if (surface[PhysicalSurface.ANISOTROPY] > 0f) {
+            stretched.illuminate(surface, occlusion, px, py, pz, normalX, normalY, normalZ, out)
+        } else {
+            base.illuminate(surface, occlusion, px, py, pz, normalX, normalY, normalZ, out)
+        }
         viewer.from(px, py, pz, normalX, normalY, normalZ) { vx, vy, vz, nx, ny, nz ->
             val cosineV = abs(nx * vx + ny * vy + nz * vz)
             val open = occlusion * (visibility?.at(px, py, pz, nx, ny, nz) ?: 1f)

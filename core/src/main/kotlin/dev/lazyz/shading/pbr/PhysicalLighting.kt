@@ -43,7 +43,10 @@ internal class PhysicalLighting(
         val along = nx * vx + ny * vy + nz * vz
         direct(surface, px, py, pz, nx, ny, nz, vx, vy, vz, abs(along), out)
         val open = if (visibility == null) 1f else visibility.at(px, py, pz, nx, ny, nz)
-        indirect(surface, occlusion, open, nx, ny, nz, vx, vy, vz, along, out)
+        indirect(
+            surface, occlusion, open, nx, ny, nz, 2f * along * nx - vx, 2f * along * ny - vy, 2f * along * nz - vz,
+            along, out,
+        )
     }
 
     private fun direct(
@@ -76,16 +79,23 @@ internal class PhysicalLighting(
         }
     }
 
-    private fun indirect(
+    /**
+     * Adds the reflected ambient light and that of the studio.
+     *
+     * @param open the part of the light that reaches the point
+     * @param rx the x of the reflected direction
+     * @param along the cosine between the normal and the direction to the viewer
+     */
+    fun indirect(
         surface: FloatArray,
         occlusion: Float,
         open: Float,
         nx: Float,
         ny: Float,
         nz: Float,
-        vx: Float,
-        vy: Float,
-        vz: Float,
+        rx: Float,
+        ry: Float,
+        rz: Float,
         along: Float,
         out: FloatArray,
     ) {
@@ -94,7 +104,7 @@ internal class PhysicalLighting(
         surface.fill(0f, PhysicalSurface.RADIANCE, PhysicalSurface.GRAZING)
         if (studio != null) {
             val alpha = roughness * roughness
-            studio.radiance(2f * along * nx - vx, 2f * along * ny - vy, 2f * along * nz - vz, alpha, surface)
+            studio.radiance(rx, ry, rz, alpha, surface)
             studio.irradiance(nx, ny, nz, surface)
         }
         val f90 = surface[PhysicalSurface.GRAZING]

@@ -7,7 +7,7 @@ package dev.lazyz.shading.pbr
  * [GRAZING]. What follows is set for materials with lobes only: the colour of sheen from [SHEEN] on and its roughness,
  * the strength, roughness and normal of a clear coat from [COAT] on, the part of light that passes in each colour from
  * [TRANSMITTED] on, and that of all light, at [PASSED]; the strength, index and thickness of a thin film from [FILM]
- * on.
+ * on; the strength of anisotropy at [ANISOTROPY], and its direction and the one across it from [ALONG] and [ACROSS] on.
  */
 internal object PhysicalSurface {
     const val DIFFUSE: Int = 0
@@ -24,7 +24,10 @@ internal object PhysicalSurface {
     const val TRANSMITTED: Int = 23
     const val PASSED: Int = 26
     const val FILM: Int = 27
-    const val SIZE: Int = 30
+    const val ANISOTROPY: Int = 30
+    const val ALONG: Int = 31
+    const val ACROSS: Int = 34
+    const val SIZE: Int = 37
 
     /** Sets the material in [surface]: glTF 2.0, appendix B.3.5. */
     fun set(surface: FloatArray, red: Float, green: Float, blue: Float, metallic: Float, roughness: Float) {

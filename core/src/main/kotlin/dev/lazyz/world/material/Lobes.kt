@@ -11,6 +11,7 @@ import dev.lazyz.Rgba
  * @property clearcoat a transparent layer above all others; null for none
  * @property iridescence a thin film that colours reflections; null for none
  * @property transmission light that passes; it has an effect with [Material.AlphaMode.BLEND] only; null for none
+ * @property anisotropy highlights that are longer in one direction; null for round ones
  */
 public class Lobes @JvmOverloads constructor(
     public val specular: Specular? = null,
@@ -18,8 +19,9 @@ public class Lobes @JvmOverloads constructor(
     public val clearcoat: Clearcoat? = null,
     public val transmission: Transmission? = null,
     public val iridescence: Iridescence? = null,
+    public val anisotropy: Anisotropy? = null,
 ) {
-    private val parts get() = listOfNotNull(specular, sheen, clearcoat, transmission, iridescence)
+    private val parts get() = listOfNotNull(specular, sheen, clearcoat, transmission, iridescence, anisotropy)
 
     /** All maps. */
     internal val maps: List<TextureMap> get() = parts.flatMap { it.maps }
@@ -43,6 +45,7 @@ public class Lobes @JvmOverloads constructor(
                 strength, refraction, thickness, leastThickness, strengthMap?.let(change), thicknessMap?.let(change),
             )
         },
+        anisotropy?.run { Anisotropy(strength, rotation, map?.let(change)) },
     )
 
     override fun equals(other: Any?): Boolean = other is Lobes && parts == other.parts
@@ -203,6 +206,29 @@ public class Lobes @JvmOverloads constructor(
 
         override val properties: List<Any?>
             get() = listOf(strength, refraction, thickness, leastThickness, strengthMap, thicknessMap)
+    }
+
+    /**
+     * Highlights that are longer along a direction of the surface, as on brushed metal: `KHR_materials_anisotropy`. It
+     * has an effect on meshes with tangents only.
+     *
+     * @property strength 0 for round highlights, 1 for the longest ones
+     * @property rotation the direction, in degrees from the tangent toward the bitangent
+     * @property map its red and green are a direction, as in a normal map, that is rotated by [rotation]; its blue
+     *   multiplies [strength]; or null
+     * @throws IllegalArgumentException if a number is out of range
+     */
+    public class Anisotropy @JvmOverloads constructor(
+        public val strength: Float = 1f,
+        public val rotation: Float = 0f,
+        public val map: TextureMap? = null,
+    ) : Lobe() {
+        init {
+            requireFraction("strength", strength)
+            require(rotation.isFinite()) { "rotation must be finite: $rotation" }
+        }
+
+        override val properties: List<Any?> get() = listOf(strength, rotation, map)
     }
 
     private companion object {

@@ -121,9 +121,15 @@ public class Material private constructor(
                 metallicRoughness?.maps.orEmpty()
             ).mapTo(HashSet()) { it.uvSet }
 
-    /** The map to whose texture coordinates the tangents of a surface must belong; null if nothing uses tangents. */
+    /** Whether the tangents of a surface change how it looks. */
+    public val usesTangents: Boolean get() = tangentMap != null || metallicRoughness?.lobes?.anisotropy != null
+
+    /**
+     * The map to whose texture coordinates the tangents of a surface must belong; null if there is none. If the
+     * material uses tangents nevertheless, they belong to the first set of texture coordinates.
+     */
     public val tangentMap: TextureMap?
-        get() = normalMap?.map ?: metallicRoughness?.lobes?.clearcoat?.normalMap?.map
+        get() = normalMap?.map ?: metallicRoughness?.lobes?.run { clearcoat?.normalMap?.map ?: anisotropy?.map }
 
     /** Whether textures are read with the derivatives of their coordinates. */
     internal val usesFootprint: Boolean get() = maps.any { it.texture.mipFilter != MipFilter.NONE }

@@ -207,6 +207,17 @@ public class Mesh @JvmOverloads constructor(
         return VertexTangents(this, requireNotNull(places) { "the mesh has no texture coordinates" }, transform).mesh()
     }
 
+    /**
+     * Returns this mesh with the tangents that its material uses, see [Material.usesTangents], or the mesh itself if it
+     * has tangents, or not the texture coordinates that they belong to.
+     */
+    public fun withNeededTangents(): Mesh {
+        val map = material.tangentMap
+        val places = if (map?.uvSet == 1) uvs2 else uvs
+        if (tangents != null || places == null || !material.usesTangents) return this
+        return withTangents(map?.uvSet ?: 0, map?.transform ?: UvTransform.IDENTITY)
+    }
+
     override fun toString(): String = "Mesh($vertexCount vertices, $triangleCount triangles, $material)"
 }
 

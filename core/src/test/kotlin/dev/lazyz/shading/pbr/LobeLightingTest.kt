@@ -33,13 +33,24 @@ class LobeLightingTest {
     private val color = listOf(0.9, 0.5, 0.125)
     private val base = Material(Rgba(0.9f, 0.5f, 0.125f))
 
+    private val tangent = Vector3d(0.8, 0.5, 0.3)
+
     /** The linear colour of a point at the world's origin, and its alpha. */
-    private fun seen(material: Material, vararg lights: Light): Rgba {
-        val light = SceneLight(lights.toList(), lights.toList(), Environment.NONE, ToneMapping.NONE, null)
+    private fun seen(
+        material: Material,
+        vararg lights: Light,
+        normal: Vector3d = n,
+        environment: Environment = Environment.NONE,
+    ): Rgba {
+        val light = SceneLight(lights.toList(), lights.toList(), environment, ToneMapping.NONE, null)
         val fragment = Fragment()
-        fragment.normalX = n.x.toFloat()
-        fragment.normalY = n.y.toFloat()
-        fragment.normalZ = n.z.toFloat()
+        fragment.normalX = normal.x.toFloat()
+        fragment.normalY = normal.y.toFloat()
+        fragment.normalZ = normal.z.toFloat()
+        fragment.tangentX = tangent.x.toFloat()
+        fragment.tangentY = tangent.y.toFloat()
+        fragment.tangentZ = tangent.z.toFloat()
+        fragment.tangentW = -1f
         SetUp(Raster(1, 1), camera, light, Vector3d(), Workers.ALL, Checkpoint.NONE).shader(material).shade(fragment)
         return Rgba(fragment.red, fragment.green, fragment.blue, fragment.alpha)
     }
@@ -65,7 +76,11 @@ class LobeLightingTest {
     fun rule_6_16_whatChangesNothingHasTheSameBits() {
         val lights = arrayOf(sun, Light.Ambient(Rgba.WHITE))
         val plain = seen(material(null), *lights)
-        for (lobes in listOf(Lobes(), Lobes(sheen = Lobes.Sheen(Rgba.BLACK)), Lobes(clearcoat = Lobes.Clearcoat(0f)))) {
+        val nothing = listOf(
+            Lobes(), Lobes(sheen = Lobes.Sheen(Rgba.BLACK)), Lobes(clearcoat = Lobes.Clearcoat(0f)),
+            Lobes(anisotropy = Lobes.Anisotropy(0f)),
+        )
+        for (lobes in nothing) {
             assertEquals(plain, seen(material(lobes), *lights))
         }
         val opaque = seen(material(Lobes(transmission = Lobes.Transmission())), sun)
@@ -181,6 +196,59 @@ class LobeLightingTest {
         assertEquals((halves[0].red + halves[1].red) / 2, half.red, 1e-5f)
     }
 
+    /** The direction [degrees] from the tangent toward the bitangent, whose sign is negative, and the one across it. */
+    private fun directions(degrees: Double): Pair<Vector3d, Vector3d> {
+        val t = Vector3d(tangent).sub(Vector3d(n).mul(n.dot(tangent))).normalize()
+        val b = Vector3d(n).cross(t).negate()
+        val turn = Math.toRadians(degrees)
+        val along = t.mul(Math.cos(turn)).add(b.mul(Math.sin(turn)))
+        return along to Vector3d(n).cross(along)
+    }
+
+    @Test
+    fun rule_6_16_anisotropyStretchesHighlights() {
+        for ((strength, rotation) in listOf(0.5 to 30.0, 1.0 to 0.0, 0.75 to -100.0, 1e-3 to 0.0)) {
+            val lobes = Lobes(anisotropy = Lobes.Anisotropy(strength.toFloat(), rotation.toFloat()))
+            val (t, b) = directions(rotation)
+            val ab = 0.25
+            val at = ab + (1 - ab) * strength * strength
+            val h = Vector3d(l).add(v).normalize()
+            val slope = Vector3d(ab * t.dot(h), at * b.dot(h), at * ab * n.dot(h)).lengthSquared()
+            val d = at * ab * Math.pow(at * ab / slope, 2.0)
+            val (shadowL, shadowV) = listOf(l, v).map {
+                n.dot(it) + Vector3d(at * t.dot(it), ab * b.dot(it), n.dot(it)).length()
+            }
+            val expected = color.map { c ->
+                val f0 = 0.04 * 0.75 + c * 0.25
+                val f = f0 + (1 - f0) * fifth(v.dot(h))
+                n.dot(l) * ((1 - f) * c * 0.75 + f * d / (shadowL * shadowV))
+            }
+            assertColor(expected, seen(material(lobes), sun))
+            if (strength < 0.01) assertColor(expected, seen(material(null), sun))
+        }
+    }
+
+    @Test
+    fun rule_6_16_anisotropyBendsTheMirrorOfTheEnvironment() {
+        val lobes = Lobes(anisotropy = Lobes.Anisotropy(1f, 30f))
+        val mirror = Material(Rgba.WHITE)
+        val across = directions(30.0).second
+        val bent = Vector3d(v).sub(Vector3d(across).mul(across.dot(v))).normalize()
+        val studio = Environment.studio(1f)
+        fun seen(roughness: Float, lobes: Lobes?, normal: Vector3d) = seen(
+            mirror.withMetallicRoughness(MetallicRoughness(1f, roughness, null, lobes)),
+            normal = normal, environment = studio,
+        ).run { listOf(red, green, blue).map { it.toDouble() } }
+        assertColor(seen(0f, null, bent), Rgba.of(seen(0f, lobes, n)))
+        assertColor(seen(1f, null, n), Rgba.of(seen(1f, lobes, n)))
+        val even = Light.Ambient(Rgba.WHITE)
+        val round = seen(material(null), even).run { listOf(red, green, blue) }
+        assertColor(round.map { it.toDouble() }, seen(material(lobes), even))
+    }
+
+    private fun Rgba.Companion.of(light: List<Double>) =
+        Rgba(light[0].toFloat(), light[1].toFloat(), light[2].toFloat())
+
     @Test
     fun numbersOutOfRangeAreRefused() {
         val wrong = listOf(
@@ -188,6 +256,7 @@ class LobeLightingTest {
             { Lobes.Clearcoat(2f) }, { Lobes.Clearcoat(roughness = Float.NaN) }, { Lobes.Transmission(-0.1f) },
             { Lobes.Transmission(thickness = -1f) }, { Lobes.Transmission(attenuationDistance = 0f) },
             { Lobes.Iridescence(refraction = 0.9f) }, { Lobes.Iridescence(thickness = -1f) },
+            { Lobes.Anisotropy(1.5f) }, { Lobes.Anisotropy(1f, Float.NaN) },
         )
         for (make in wrong) assertThrows(IllegalArgumentException::class.java) { make() }
     }

@@ -129,8 +129,7 @@ internal class ObjMeshes(
             part.origin,
             name = group.label.name,
         )
-        val map = mesh.material.tangentMap ?: return mesh
-        return mesh.withTangents(0, map.transform)
+        return mesh.withNeededTangents()
     }
 
     private fun place(uvs: FloatArray, material: MtlMaterial) {

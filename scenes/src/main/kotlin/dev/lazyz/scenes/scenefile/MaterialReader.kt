@@ -69,6 +69,7 @@ internal class MaterialReader(source: Source) {
     private fun model(node: JsonNode): MetallicRoughness {
         val members = node.members(
             "metallic", "roughness", "map", "specular", "sheen", "clearcoat", "transmission", "iridescence",
+            "anisotropy",
         )
         val plain = MetallicRoughness()
         val map = members["map"]?.let { textures.read(it, Texture.Encoding.LINEAR) }
@@ -134,7 +135,12 @@ internal class MaterialReader(source: Source) {
                 )
             }
         }
-        return Lobes(specular, sheen, clearcoat, transmission, iridescence).takeIf { it != Lobes() }
+        val anisotropy = members["anisotropy"]?.let { node ->
+            val m = node.members("strength", "rotation", "map")
+            val map = numbers(m["map"])
+            node.checked { Lobes.Anisotropy(m["strength"]?.float() ?: 1f, m["rotation"]?.float() ?: 0f, map) }
+        }
+        return Lobes(specular, sheen, clearcoat, transmission, iridescence, anisotropy).takeIf { it != Lobes() }
     }
 
     private fun numbers(node: JsonNode?) = node?.let { textures.read(it, Texture.Encoding.LINEAR) }

@@ -153,6 +153,13 @@ internal object LobesWriter {
                 thicknessMap?.let { numbers("thicknessMap", it) }
             }
         }
+        lobes.anisotropy?.run {
+            key("anisotropy").members {
+                key("strength").float(strength)
+                key("rotation").float(rotation)
+                map?.let { numbers("map", it) }
+            }
+        }
     }
 
     private fun JsonWriter.numbers(name: String, map: TextureMap) =

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.gltf
 
+import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE
 import dev.lazyz.scenes.images.PngFile
@@ -7,6 +8,8 @@ import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
 import java.util.Base64
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 /** What is passed over is reported once for each kind, with its number. */
@@ -30,6 +33,17 @@ class GltfOmissionsTest {
         val lights = """"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"},{"type":"spot"}]}}"""
         val expected = "extensions that are not known are passed over, 2 in all: KHR_materials_dispersion, ACME_a"
         assertEquals(listOf(expected), warnings(""","materials":[{},{}],$used,$lights"""))
+    }
+
+    @Test
+    fun animationsOfOtherPropertiesAreRefusedIfRequired() {
+        val name = "KHR_animation_pointer"
+        val passedOver = "extensions that are not known are passed over, 1 in all: $name"
+        assertEquals(listOf(passedOver), warnings(""","materials":[{},{}],"extensionsUsed":["$name"]"""))
+        val error = assertThrows(SceneFormatException::class.java) {
+            warnings(""","materials":[{},{}],"extensionsRequired":["$name"]""")
+        }
+        assertTrue("requires the extension $name" in checkNotNull(error.message), error.message)
     }
 
     @Test

@@ -28,6 +28,7 @@ internal object MaterialFields {
         lobes?.iridescence?.run {
             listOf(strength, refraction, thickness, leastThickness, map(strengthMap), map(thicknessMap))
         },
+        lobes?.anisotropy?.run { listOf(strength, rotation, map(map)) },
     )
 
     private fun map(map: TextureMap?): List<Any?>? = map?.texture?.run {

@@ -151,6 +151,7 @@ internal class RandomScenes(seed: Long) {
             Lobes.Iridescence(
                 random.nextFloat(), 1f + random.nextFloat(), random.nextFloat(), random.nextFloat(), map(), map(),
             ),
+            Lobes.Anisotropy(random.nextFloat(), 360f * random.nextFloat(), map()),
         )
     }
 

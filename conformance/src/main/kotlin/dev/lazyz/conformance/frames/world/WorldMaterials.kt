@@ -175,10 +175,11 @@ internal object WorldLobes {
     /** Generates any lobes. Shrinks to none. */
     fun any(): Arbitrary<Coded<Lobes>> = Combinators.combine(
         orNone(speculars()), orNone(sheens()), orNone(clearcoats()), orNone(transmissions()), orNone(films()),
-    ).`as` { specular, sheen, clearcoat, transmission, film ->
-        val words = listOf(specular, sheen, clearcoat, transmission, film).map { it.code }
+        orNone(stretches()),
+    ).`as` { specular, sheen, clearcoat, transmission, film, stretch ->
+        val words = listOf(specular, sheen, clearcoat, transmission, film, stretch).map { it.code }
         Coded(
-            Lobes(specular.value, sheen.value, clearcoat.value, transmission.value, film.value),
+            Lobes(specular.value, sheen.value, clearcoat.value, transmission.value, film.value, stretch.value),
             words.joinToString(", ", "Lobes(", ")"),
         )
     }
@@ -209,6 +210,10 @@ internal object WorldLobes {
             Lobes.Iridescence(strength, 1.5f, thickness),
             "Iridescence(${code(strength)}, 1.5f, ${code(thickness)})",
         )
+    }
+
+    private fun stretches() = Combinators.combine(strengths, oneOf(0f, 30f, -75f)).`as` { strength, rotation ->
+        Coded(Lobes.Anisotropy(strength, rotation), "Anisotropy(${code(strength)}, ${code(rotation)})")
     }
 
     private fun <T : Any> orNone(lobes: Arbitrary<Coded<T>>): Arbitrary<Coded<T?>> = mixed(

@@ -136,6 +136,7 @@ internal class MaterialJson(json: GltfObject?) : ExtensibleJson(json) {
     val clearcoat: ClearcoatJson? = json?.extension(LobeExtensions.CLEARCOAT, ::ClearcoatJson)
     val transmission: TransmissionJson? = json?.extension(LobeExtensions.TRANSMISSION, ::TransmissionJson)
     val iridescence: IridescenceJson? = json?.extension(LobeExtensions.IRIDESCENCE, ::IridescenceJson)
+    val anisotropy: AnisotropyJson? = json?.extension(LobeExtensions.ANISOTROPY, ::AnisotropyJson)
     val volume: VolumeJson? = json?.extension(LobeExtensions.VOLUME, ::VolumeJson)
 }
 
@@ -147,8 +148,10 @@ internal object LobeExtensions {
     const val TRANSMISSION: String = "KHR_materials_transmission"
     const val VOLUME: String = "KHR_materials_volume"
     const val IRIDESCENCE: String = "KHR_materials_iridescence"
+    const val ANISOTROPY: String = "KHR_materials_anisotropy"
     const val REFRACTION: String = "KHR_materials_ior"
-    val all: List<String> = listOf(SPECULAR, SHEEN, CLEARCOAT, TRANSMISSION, VOLUME, IRIDESCENCE, REFRACTION)
+    val all: List<String> =
+        listOf(SPECULAR, SHEEN, CLEARCOAT, TRANSMISSION, VOLUME, IRIDESCENCE, ANISOTROPY, REFRACTION)
 }
 
 internal class SpecularJson(json: GltfObject) {
@@ -185,6 +188,12 @@ internal class IridescenceJson(json: GltfObject) {
     val minimum: Float? = json.number("iridescenceThicknessMinimum", least = 0f)
     val maximum: Float? = json.number("iridescenceThicknessMaximum", least = 0f)
     val thicknessTexture: TextureInfoJson? = json.one("iridescenceThicknessTexture", ::TextureInfoJson)
+}
+
+internal class AnisotropyJson(json: GltfObject) {
+    val strength: Float? = json.fraction("anisotropyStrength")
+    val rotation: Float? = json.number("anisotropyRotation")
+    val texture: TextureInfoJson? = json.one("anisotropyTexture", ::TextureInfoJson)
 }
 
 internal class VolumeJson(json: GltfObject) {

@@ -106,7 +106,7 @@ internal class GltfMeshes(
             uvs.getOrNull(0),
             colors,
             uvs2 = uvs.getOrNull(1),
-            tangents = if (normals == null || material.material.tangentMap == null) {
+            tangents = if (normals == null || !material.material.usesTangents) {
                 null
             } else {
                 tangents(vertices, count, here)
@@ -144,12 +144,11 @@ internal class GltfMeshes(
     }
 
     /**
-     * Returns [surface] with the tangents that its normal map needs. If the file has none, or has no normals that they
+     * Returns [surface] with the tangents that its material needs. If the file has none, or has no normals that they
      * would belong to (section 3.7.2.1), they are computed now, because this may split vertices.
      */
     private fun withTangents(surface: Surface): Surface {
-        val map = (surface as? Mesh)?.material?.tangentMap ?: return surface
-        return if (surface.tangents != null) surface else surface.withTangents(map.uvSet, map.transform)
+        return if (surface is Mesh) surface.withNeededTangents() else surface
     }
 
     private fun indices(vertices: GltfVertices, count: Int, where: String): IntArray {

@@ -2,6 +2,7 @@ package dev.lazyz.scenes.gltf.materials
 
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.gltf.document.ExtensionValues
+import dev.lazyz.scenes.gltf.document.LobeExtensions.ANISOTROPY
 import dev.lazyz.scenes.gltf.document.LobeExtensions.CLEARCOAT
 import dev.lazyz.scenes.gltf.document.LobeExtensions.IRIDESCENCE
 import dev.lazyz.scenes.gltf.document.LobeExtensions.REFRACTION
@@ -20,7 +21,7 @@ internal class GltfLobes(private val json: MaterialJson, private val maps: GltfM
 
     /** Returns the lobes of the material, or null if it has none. */
     fun read(): Lobes? {
-        val lobes = Lobes(specular(), sheen(), clearcoat(), transmission(), iridescence())
+        val lobes = Lobes(specular(), sheen(), clearcoat(), transmission(), iridescence(), anisotropy())
         return lobes.takeIf { it != Lobes() }
     }
 
@@ -89,6 +90,18 @@ internal class GltfLobes(private val json: MaterialJson, private val maps: GltfM
             json.minimum?.takeIf { it.isFinite() } ?: 100f,
             maps.map(json.texture, Encoding.LINEAR, "$here.$IRIDESCENCE.iridescenceTexture"),
             maps.map(json.thicknessTexture, Encoding.LINEAR, "$here.$IRIDESCENCE.iridescenceThicknessTexture"),
+        )
+    }
+
+    private fun anisotropy(): Lobes.Anisotropy? {
+        val json = json.anisotropy ?: return null
+        val strength = json.strength ?: 0f
+        if (strength == 0f) return null
+        val degrees = (json.rotation ?: 0f) * (180.0 / StrictMath.PI)
+        return Lobes.Anisotropy(
+            strength,
+            degrees.toFloat().takeIf { it.isFinite() } ?: 0f,
+            maps.map(json.texture, Encoding.LINEAR, "$here.$ANISOTROPY.anisotropyTexture"),
         )
     }
 

@@ -46,8 +46,8 @@ internal class MtlMaterial(
  * `norm` is a normal map, and `bump` or `map_bump` an image of heights, see [HeightNormals]; `map_Ke` multiplies `Ke`,
  * or white if `Ke` is black or missing. A material with `Pm`, `Pr`, `map_Pm` or `map_Pr` (C. Hery et al., the extension
  * of MTL for physically based rendering, 2013) is a metallic-roughness material; so is one with a clear coat, `Pc` with
- * the roughness `Pcr`, or sheen, `Ps`. A map replaces its number. Without both, a material is no metal, and its
- * roughness is `(2 / (Ns + 2))^(1/4)`.
+ * the roughness `Pcr`, sheen, `Ps`, or anisotropy, `aniso` with the part `anisor` of a full turn. A map replaces its
+ * number. Without both, a material is no metal, and its roughness is `(2 / (Ns + 2))^(1/4)`.
  *
  * @param folders folders to search for textures, in order
  */
@@ -137,7 +137,9 @@ internal class MtlMaterials(private val source: Source, folders: List<Path>) {
     private fun lobes(numbers: Map<String, Float>): Lobes? {
         val coat = numbers["pc"]?.takeIf { it > 0f }?.let { Lobes.Clearcoat(it, numbers["pcr"] ?: 0f) }
         val sheen = numbers["ps"]?.takeIf { it > 0f }?.let { Lobes.Sheen(Rgba(it, it, it), SHEEN_ROUGHNESS) }
-        return Lobes(sheen = sheen, clearcoat = coat).takeIf { it != Lobes() }
+        val anisotropy =
+            numbers["aniso"]?.takeIf { it > 0f }?.let { Lobes.Anisotropy(it, 360f * (numbers["anisor"] ?: 0f)) }
+        return Lobes(sheen = sheen, clearcoat = coat, anisotropy = anisotropy).takeIf { it != Lobes() }
     }
 
     private companion object {

@@ -24,7 +24,7 @@ internal class MtlStatements(private val library: Source) : BufferedReader(Reade
     /** For each `newmtl` so far, whether it has a `d`. */
     val haveOpacity = ArrayList<Boolean>()
 
-    /** For each `newmtl` so far, its numbers `pm`, `pr`, `pc`, `pcr` and `ps`, as far as they are given. */
+    /** For each `newmtl` so far, its numbers such as `pm`, as far as they are given. */
     val model = ArrayList<HashMap<String, Float>>()
 
     /** The statement that was returned last. */
@@ -39,10 +39,6 @@ internal class MtlStatements(private val library: Source) : BufferedReader(Reade
 
     private var current = HashMap<String, MtlMap>()
 
-    /** The keywords of [unused] in the current entry, and the numbers of those that modify another. */
-    private val features = HashSet<String>()
-    private val modifiers = HashMap<String, Int>()
-
     override fun readLine(): String? {
         while (statements.next()) {
             val statement = statements.statement()
@@ -50,17 +46,7 @@ internal class MtlStatements(private val library: Source) : BufferedReader(Reade
             val keyword = statement.substringBefore(' ').lowercase()
             return prepared(keyword, statement) ?: continue
         }
-        endEntry()
         return null
-    }
-
-    private fun endEntry() {
-        for ((keyword, count) in modifiers) {
-            val modified = MODIFIED.getValue(keyword)
-            if (modified in features || "map_$modified" in features) repeat(count) { unused.add(keyword) }
-        }
-        modifiers.clear()
-        features.clear()
     }
 
     /**
@@ -69,7 +55,6 @@ internal class MtlStatements(private val library: Source) : BufferedReader(Reade
      */
     private fun prepared(keyword: String, statement: String): String? {
         if (keyword == "newmtl") {
-            endEntry()
             current = HashMap()
             maps.add(current)
             library.loading.items(library, 1)
@@ -85,7 +70,7 @@ internal class MtlStatements(private val library: Source) : BufferedReader(Reade
             "d" -> numbers().also { haveOpacity[haveOpacity.size - 1] = true }
             "tr" -> numbers().takeUnless { haveOpacity.last() }
             "kd", "ks", "ke", "ns", "illum" -> numbers()
-            "pm", "pr", "pc", "pcr", "ps" -> null.also { setModel(keyword) }
+            "pm", "pr", "pc", "pcr", "ps", "aniso", "anisor" -> null.also { setModel(keyword) }
             in USED_MAPS -> null.also { current[keyword] = MtlMap.parse(statement.substring(keyword.length)) }
             else -> null.also { setUnused(keyword) }
         }
@@ -94,12 +79,7 @@ internal class MtlStatements(private val library: Source) : BufferedReader(Reade
     private fun setUnused(keyword: String) {
         val isTexture = keyword.startsWith("map_") || keyword in MAPS
         if (!isTexture && (keyword !in NEUTRAL || isNeutral(keyword))) return
-        if (keyword in MODIFIED) {
-            modifiers.merge(keyword, 1, Int::plus)
-        } else {
-            features.add(keyword)
-            unused.add(keyword)
-        }
+        unused.add(keyword)
     }
 
     /** Returns whether all numbers of the statement are such that it changes nothing. */
@@ -127,13 +107,7 @@ internal class MtlStatements(private val library: Source) : BufferedReader(Reade
         /** Keywords of other texture statements that do not begin with `map_`. */
         val MAPS = setOf("decal", "disp", "refl")
 
-        /**
-         * Keywords of numbers that are not rendered, each with the number that changes nothing: anisotropy, its
-         * rotation, and the colour of transmitted light.
-         */
-        val NEUTRAL = mapOf("aniso" to 0f, "anisor" to 0f, "tf" to 1f)
-
-        /** Those that modify another. */
-        val MODIFIED = mapOf("anisor" to "aniso")
+        /** Keywords of numbers that are not rendered, each with the number that changes nothing: transmitted light. */
+        val NEUTRAL = mapOf("tf" to 1f)
     }
 }

@@ -94,7 +94,9 @@ class GltfMaterialsTest {
         val material = lobes(
             """"KHR_materials_clearcoat":{$coat,$normals},"KHR_materials_sheen":{$sheen},""" +
                 """"KHR_materials_specular":{$specular},"KHR_materials_ior":{"ior":1.25},""" +
-                """"KHR_materials_iridescence":{"iridescenceFactor":0.5,"iridescenceThicknessMaximum":600}""",
+                """"KHR_materials_iridescence":{"iridescenceFactor":0.5,"iridescenceThicknessMaximum":600},""" +
+                """"KHR_materials_anisotropy":{"anisotropyStrength":0.5,"anisotropyRotation":1.5707964,""" +
+                """"anisotropyTexture":$texture}""",
         )
         val lobes = checkNotNull(material.metallicRoughness?.lobes)
         val numbers = checkNotNull(lobes.clearcoat?.strengthMap)
@@ -105,6 +107,7 @@ class GltfMaterialsTest {
         assertEquals(Lobes.Sheen(Rgba(1f, 0.5f, 0f), 0.75f, colors), lobes.sheen)
         assertEquals(Lobes.Specular(0.5f, Rgba(2f, 1f, 0f), 1.25f, numbers), lobes.specular)
         assertEquals(Lobes.Iridescence(0.5f, thickness = 600f), lobes.iridescence)
+        assertEquals(Lobes.Anisotropy(0.5f, 90f, numbers), lobes.anisotropy)
         assertEquals(numbers, material.tangentMap)
     }
 
@@ -123,7 +126,7 @@ class GltfMaterialsTest {
     fun extensionsThatChangeNothingAreNoLobes() {
         val none = """"KHR_materials_clearcoat":{},"KHR_materials_sheen":{"sheenRoughnessFactor":1},""" +
             """"KHR_materials_specular":{},"KHR_materials_ior":{"ior":1.5},"KHR_materials_transmission":{},""" +
-            """"KHR_materials_volume":{"thicknessFactor":1}"""
+            """"KHR_materials_volume":{"thicknessFactor":1},"KHR_materials_anisotropy":{"anisotropyRotation":1}"""
         assertNull(lobes(none).metallicRoughness?.lobes)
     }
 
