@@ -8,12 +8,20 @@ import dev.lazyz.world.material.Texture
  * the other.
  */
 internal object ChannelPacking {
-    /** Returns a texture with [roughness] as green and [metallic] as blue, and 255 for an image that is null. */
-    fun metallicRoughness(roughness: Texture?, metallic: Texture?): Texture? {
+    /**
+     * Returns a texture with [roughness] as green and [metallic] as blue, and 255 for an image that is null.
+     * [ofRoughness] and [ofMetallic] return the number, 0..255, of a texel: by default its grey.
+     */
+    fun metallicRoughness(
+        roughness: Texture?,
+        metallic: Texture?,
+        ofRoughness: (Int) -> Int = ::grey,
+        ofMetallic: (Int) -> Int = ::grey,
+    ): Texture? {
         val larger = larger(roughness, metallic) ?: return null
         return packed(larger, Texture.Encoding.LINEAR) { x, y ->
-            val green = roughness?.let { grey(at(it, x, y, larger)) } ?: 0xFF
-            val blue = metallic?.let { grey(at(it, x, y, larger)) } ?: 0xFF
+            val green = roughness?.let { ofRoughness(at(it, x, y, larger)) } ?: 0xFF
+            val blue = metallic?.let { ofMetallic(at(it, x, y, larger)) } ?: 0xFF
             0xFFFF0000.toInt() or (green shl 8) or blue
         }
     }
@@ -53,6 +61,7 @@ internal object ChannelPacking {
         }
         return Texture(
             width, height, texels, texture.filter, texture.wrapU, texture.wrapV, texture.name, texture.mipFilter,
+            texture.encoding,
         )
     }
 

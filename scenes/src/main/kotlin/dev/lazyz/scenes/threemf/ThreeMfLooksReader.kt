@@ -15,6 +15,8 @@ internal class ThreeMfLooksReader(
     private val looks: ThreeMfLooks,
     private val unused: KindCounts,
 ) {
+    private val finishes = ThreeMfFinishReader(part, looks)
+
     /** Reads the current element if it is a group or a texture; returns false otherwise. */
     fun read(name: String): Boolean {
         when (name) {
@@ -24,22 +26,29 @@ internal class ThreeMfLooksReader(
             "texture2dgroup" -> readPlaces()
             "compositematerials" -> readMixes()
             "multiproperties" -> readLayers()
-            else -> return false
+            else -> return finishes.read(name)
         }
         return true
     }
 
     private fun id(): Int = part.number("id") ?: part.fail("the group has no id")
 
+    private fun newGroup(texture: Int): ThreeMfLooks.Group {
+        val group = ThreeMfLooks.Group(texture)
+        looks.groups[id()] = group
+        group.finishes = part.number(FINISHES) ?: -1
+        return group
+    }
+
     /**
      * Reads a group of colours. Some programs write an alpha of 0 for opaque base materials, which would be invisible;
      * with [isOpaqueWithoutAlpha] they are read as opaque.
      */
     private fun readColors(element: String, attribute: String, isOpaqueWithoutAlpha: Boolean) {
-        val group = ThreeMfLooks.Group()
-        looks.groups[id()] = group
+        val group = newGroup(-1)
         part.forEachChild {
             if (it == element) {
+                part.number(FINISHES)?.let { finishes -> group.ownFinishes[group.numbers.size] = finishes }
                 group.numbers.add(color(part.attribute(attribute), isOpaqueWithoutAlpha))
             }
         }
@@ -50,9 +59,9 @@ internal class ThreeMfLooksReader(
      * except alpha are sRGB-encoded.
      */
     private fun color(text: String?, isOpaqueWithoutAlpha: Boolean): Int {
-        val digits = text?.trim()?.takeIf(::isColor)?.drop(1)
-        if (digits == null && text != null) unused.add("colours that are not #RRGGBB or #RRGGBBAA")
-        val code = (digits ?: "").padEnd(8, 'F').toLong(16)
+        val given = ThreeMfColor.code(text)
+        if (given == null && text != null) unused.add("colours that are not #RRGGBB or #RRGGBBAA")
+        val code = given ?: 0xFFFFFFFF
         val alpha = if (isOpaqueWithoutAlpha && code and 0xFF == 0L) 0xFF else code and 0xFF
         return looks.palette.add(
             SrgbDecoding.decodeByte((code shr 24).toInt()),
@@ -73,8 +82,7 @@ internal class ThreeMfLooksReader(
     }
 
     private fun readPlaces() {
-        val group = ThreeMfLooks.Group(part.number("texid") ?: part.fail("the group has no texid"))
-        looks.groups[id()] = group
+        val group = newGroup(part.number("texid") ?: part.fail("the group has no texid"))
         part.forEachChild {
             if (it == "tex2coord") {
                 val u = part.float(part.attribute("u") ?: part.fail("the coordinates have no u"))
@@ -86,8 +94,7 @@ internal class ThreeMfLooksReader(
 
     /** Reads mixes of base materials: the weighted mean of their colours, computed in linear light. */
     private fun readMixes() {
-        val group = ThreeMfLooks.Group()
-        looks.groups[id()] = group
+        val group = newGroup(-1)
         val base = looks.groups[part.number("matid") ?: -1]
         val indices = part.words("matindices").map { part.whole(it) }
         val color = FloatArray(4)
@@ -109,7 +116,8 @@ internal class ThreeMfLooksReader(
 
     /**
      * Reads layers that lie on top of each other. Uses the last layer with a texture, on the mean colour of the layer
-     * of colours that is next below it; or the first layer if none has a texture.
+     * of colours that is next below it; or the first layer if none has a texture. Light is reflected as the first
+     * layer says, as section 5.1 recommends.
      */
     private fun readLayers() {
         val ids = part.words("pids").map { part.whole(it) }
@@ -117,13 +125,16 @@ internal class ThreeMfLooksReader(
         val shown = layers.indexOfLast { it != null && it.texture >= 0 }.coerceAtLeast(0)
         val below = layers.take(shown).indexOfLast { it != null && it.texture < 0 }
         val layer = layers.getOrNull(shown)
-        val group = ThreeMfLooks.Group(layer?.texture ?: -1)
-        looks.groups[id()] = group
+        val group = newGroup(layer?.texture ?: -1)
+        group.first = layers.firstOrNull()?.takeIf { it.first == null }
         repeat(ids.size - (if (below < 0) 1 else 2)) { unused.add("layers of multiproperties") }
         val grounds = ArrayList<Int>()
         part.forEachChild {
             val indices = part.words("pindices")
-            number(layer, indices, shown)?.let { number -> group.numbers.add(number) }
+            number(layer, indices, shown)?.let { number ->
+                group.numbers.add(number)
+                group.firstIndices.add(indices.firstOrNull()?.let { first -> part.whole(first) } ?: 0)
+            }
             number(layers.getOrNull(below), indices, below)?.let { number -> grounds.add(number) }
         }
         group.ground = mean(grounds)
@@ -148,6 +159,16 @@ internal class ThreeMfLooksReader(
         val (red, green, blue, alpha) = sum.map { (it / colors.size).toFloat() }
         return Rgba(red, green, blue, alpha)
     }
+
+    private companion object {
+        const val FINISHES = "displaypropertiesid"
+    }
+}
+
+/** Colours as 3MF writes them. */
+internal object ThreeMfColor {
+    /** Returns the number 0xRRGGBBAA that [text] says, `#RRGGBB` or `#RRGGBBAA`, or null if it is not a colour. */
+    fun code(text: String?): Long? = text?.trim()?.takeIf(::isColor)?.drop(1)?.padEnd(8, 'F')?.toLong(16)
 
     private fun isColor(text: String): Boolean = text.startsWith('#') && (text.length == 7 || text.length == 9) &&
         text.drop(1).all { it in '0'..'9' || it.lowercaseChar() in 'a'..'f' }

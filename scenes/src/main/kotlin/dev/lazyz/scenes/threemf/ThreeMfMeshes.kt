@@ -13,10 +13,13 @@ import dev.lazyz.world.surface.Mesh
 /** The look of triangles without their own: a group and an index in it. The group is -1 if there is no such look. */
 internal data class DefaultLook(val group: Int, val index: Int)
 
-/** What covers triangles: the number of a texture, or -1, and the colour on which the texture lies, or null. */
-private data class Coat(val texture: Int, val ground: Rgba?)
+/**
+ * What covers triangles: the number of a texture, or -1, the colour on which the texture lies, or null, and how it
+ * reflects light, or null.
+ */
+private data class Coat(val texture: Int, val ground: Rgba?, val finish: ThreeMfFinish?)
 
-private val BARE = Coat(-1, null)
+private val BARE = Coat(-1, null, null)
 
 /** Builds meshes from the triangles of objects. Not thread safe. */
 internal class ThreeMfMeshes(private val source: Source, private val textures: ThreeMfTextures) {
@@ -24,7 +27,9 @@ internal class ThreeMfMeshes(private val source: Source, private val textures: T
     var withoutLooks = 0
         private set
 
-    /** Returns the triangles of [found], which [model] defines, with smooth normals: one mesh for each texture. */
+    /**
+     * Returns the triangles of [found], which [model] defines, with smooth normals: one mesh for each texture and finish.
+     */
     fun build(model: ThreeMfModel, found: ThreeMfObject, default: DefaultLook): List<Mesh> {
         if (found.triangles.size == 0) return emptyList()
         val mesh = CornerMesh(found.vertices(), model.looks.palette, model.looks.places)
@@ -39,13 +44,15 @@ internal class ThreeMfMeshes(private val source: Source, private val textures: T
         val parts = MeshParts(source, whole, groupOf, coats.size)
         val own = color(model.looks, default)
         return coats.map { (coat, group) ->
-            val map = model.looks.textures[coat.texture]?.let { textures.find(it, coat.ground, coat.ground ?: own) }
+            val base = model.looks.textures[coat.texture]
+            val map = base?.let { textures.find(it, coat.ground, coat.ground ?: own) }
             val isTranslucent = map?.texture?.hasAlpha ?: model.looks.palette.isTranslucent
+            val isTextured = coat.finish?.textures != null
             val material = Material(
-                baseColor = coat.ground.takeIf { map == null } ?: Rgba.WHITE,
-                alphaMode = if (isTranslucent) AlphaMode.BLEND else AlphaMode.OPAQUE,
+                baseColor = coat.ground.takeIf { map == null } ?: coat.finish?.factor ?: Rgba.WHITE,
+                alphaMode = if (isTranslucent && !isTextured) AlphaMode.BLEND else AlphaMode.OPAQUE,
                 name = found.name,
-            ).withTextureMap(map)
+            ).withTextureMap(map).withMetallicRoughness(coat.finish?.model(model.looks, base, textures))
             parts.part(group).withMaterials { material }
         }
     }
@@ -82,6 +89,11 @@ internal class ThreeMfMeshes(private val source: Source, private val textures: T
             val isColor = group == null || group.texture < 0
             mesh.add(found.triangles[3 * triangle + corner], if (isColor) look else -1, if (isColor) -1 else look)
         }
-        return if (group != null && isThere) Coat(group.texture, group.ground) else BARE
+        if (group == null || !isThere) return BARE
+
+        // There are no gradients between ways to reflect light: that of the first corner counts
+        return Coat(
+            group.texture, group.ground, looks.finish(group, if (hasOwn) found.looks[at + 1] else default.index),
+        )
     }
 }

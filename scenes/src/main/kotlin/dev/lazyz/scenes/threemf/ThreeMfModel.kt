@@ -93,6 +93,17 @@ internal class ThreeMfLooks {
     /** The groups by number. */
     val groups = HashMap<Int, Group>()
 
+    /** Display properties by number: one for each element of the group that refers to them, or one with textures. */
+    val finishes = HashMap<Int, List<ThreeMfFinish>>()
+
+    /** Returns how element [index] of [group] reflects light, or null if the file does not say. */
+    fun finish(group: Group, index: Int): ThreeMfFinish? {
+        val owner = group.first ?: group
+        val place = if (group.first == null) index else group.firstIndices[index]
+        val found = finishes[owner.ownFinishes[place] ?: owner.finishes] ?: return null
+        return found.singleOrNull()?.takeIf { it.textures != null } ?: found.getOrNull(place)
+    }
+
     /**
      * A group that corners can refer to: [numbers] of colours, or of texture coordinates.
      *
@@ -103,6 +114,14 @@ internal class ThreeMfLooks {
 
         /** The colour on which the texture lies, or null if there is none. */
         var ground: Rgba? = null
+
+        /** The number of the display properties of all elements, or -1, and those that elements name themselves. */
+        var finishes = -1
+        val ownFinishes = HashMap<Int, Int>(0)
+
+        /** The lowest of several layers, and which of its elements each element has; null for a group of one layer. */
+        var first: Group? = null
+        val firstIndices = Ints()
     }
 }
 

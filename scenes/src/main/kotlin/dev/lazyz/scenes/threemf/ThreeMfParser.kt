@@ -19,9 +19,10 @@ import org.joml.Matrix4dc
  * and mixes of base materials, sRGB-encoded, and from textures of texture groups (Materials Extension). An object
  * without looks inherits those of the object that contains it as a component. Base materials with an alpha of 0 are
  * treated as opaque. If colours or textures are translucent, so is the material. Of several layers of properties, the
- * last texture is shown, on the mean colour of the layer below it. Supports, beams, slices and everything else that is
- * not a triangle are ignored with a warning. Lengths stay in the unit of the package's main part. Normals are smoothed
- * up to creases of [CREASE_ANGLE] degrees.
+ * last texture is shown, on the mean colour of the layer below it. Materials with metallic or specular display
+ * properties are physically based, see [ThreeMfFinish]. Supports, beams, slices and everything else that is not a
+ * triangle are ignored with a warning. Lengths stay in the unit of the package's main part. Normals are smoothed up to
+ * creases of [CREASE_ANGLE] degrees.
  *
  * The file's z axis points upward. It is not converted.
  */

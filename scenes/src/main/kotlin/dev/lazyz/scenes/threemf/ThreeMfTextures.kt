@@ -19,9 +19,64 @@ internal class ThreeMfTextures(private val source: Source, private val archive: 
      * decoded.
      */
     fun find(texture: ThreeMfTexture, ground: Rgba?, outside: Rgba): TextureMap? {
+        val own = picture(texture) ?: return null
+        return laid(texture, if (ground == null || !own.hasAlpha) own else grounded(texture.path, own, ground), outside)
+    }
+
+    /** Returns the map of roughness and metalness from their textures, laid as [texture]; null if there are none. */
+    fun metallicRoughness(
+        texture: ThreeMfTexture,
+        metallic: ThreeMfTexture?,
+        roughness: ThreeMfTexture?,
+    ): TextureMap? = numbers(texture, roughness, metallic) { first, second ->
+        val isSame = metallic?.path == roughness?.path
+        ChannelPacking.metallicRoughness(first, second, { red(it) }, { if (isSame) green(it) else red(it) })
+    }
+
+    /** Returns the map of roughness from the texture [gloss] times [factor]; null if there is none. */
+    fun roughness(
+        texture: ThreeMfTexture,
+        specular: ThreeMfTexture?,
+        gloss: ThreeMfTexture?,
+        factor: Float,
+    ): TextureMap? = numbers(texture, gloss, null, factor) { first, _ ->
+        val isSame = specular?.path == gloss?.path
+        ChannelPacking.metallicRoughness(first, null, { texel ->
+            0xFF - (factor * (if (isSame) texel ushr 24 else red(texel)) + 0.5f).toInt()
+        })
+    }
+
+    /** Returns the map of specular colours, laid as [texture]; null if there is none. */
+    fun specularColors(texture: ThreeMfTexture, specular: ThreeMfTexture?): TextureMap? =
+        specular?.let(::picture)?.let { laid(texture, it, ThreeMfFinish.PLASTIC) }
+
+    private fun numbers(
+        texture: ThreeMfTexture,
+        first: ThreeMfTexture?,
+        second: ThreeMfTexture?,
+        factor: Float = 1f,
+        pack: (Texture?, Texture?) -> Texture?,
+    ): TextureMap? {
+        val pictures = listOf(first?.let(::picture), second?.let(::picture))
+        val packed = made.getOrPut(listOf(pictures, first?.path, second?.path, factor)) {
+            val most = pictures.maxOf { if (it == null) 0 else it.width.toLong() * it.height }
+            source.loading.texels(source, most)
+            pack(pictures[0], pictures[1]) ?: return null
+        }
+        return laid(texture, packed, MATT)
+    }
+
+    private fun picture(texture: ThreeMfTexture): Texture? {
         if (texture.path !in decoded) decoded[texture.path] = decode(texture.path)
-        val own = decoded[texture.path] ?: return null
-        val picture = if (ground == null || !own.hasAlpha) own else grounded(texture.path, own, ground)
+        return decoded[texture.path]
+    }
+
+    private fun red(texel: Int) = texel ushr 16 and 0xFF
+
+    private fun green(texel: Int) = texel ushr 8 and 0xFF
+
+    /** Returns [picture] laid as [texture] says. */
+    private fun laid(texture: ThreeMfTexture, picture: Texture, outside: Rgba): TextureMap {
         val width = size(picture.width, texture.wrapU)
         val height = size(picture.height, texture.wrapV)
         val framed = framed(picture, width, height, outside)
@@ -79,6 +134,9 @@ internal class ThreeMfTextures(private val source: Source, private val archive: 
     }
 
     private companion object {
+        /** Full roughness as green, and no metalness as blue. */
+        val MATT = Rgba(1f, 1f, 0f)
+
         /** The tile style of textures that do not continue beyond their border. */
         const val NONE = "none"
     }

@@ -5,8 +5,10 @@ import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.scenes.threemf.ThreeMfFiles.model
+import dev.lazyz.shared.ProcessorTime
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap
 import dev.lazyz.world.surface.Mesh
@@ -44,26 +46,89 @@ class ThreeMfLooksTest {
     private val item = "<item objectid=\"9\"/>"
 
     @Test
-    fun trianglesAndCornersHaveColours() {
-        val triangles = arrayOf("", "pid=\"2\" p1=\"1\"", "p1=\"2\"", "pid=\"2\" p1=\"0\" p2=\"1\" p3=\"0\"")
-        val mesh = meshes(bases + colors + thing("id=\"9\" pid=\"1\" pindex=\"1\"", *triangles), item).single()
-        val expected = List(3) { "800000FF" } + List(3) { "FF808080" } + List(3) { "FFFFFFFF" } +
-            listOf("FF00FF00", "FF808080", "FF00FF00")
-        assertEquals(expected, mesh.codes())
-        assertEquals(AlphaMode.BLEND, mesh.material.alphaMode)
-        val opaque = meshes(colors + thing("id=\"9\" pid=\"2\"", ""), item).single()
-        assertEquals(AlphaMode.OPAQUE, opaque.material.alphaMode)
-        assertEquals(List(3) { "FF00FF00" }, opaque.codes())
+    fun displayPropertiesAreThoseOfTheFirstCorner() {
+        val metal = "<m:pbmetallicdisplayproperties id=\"7\"><m:pbmetallic name=\"a\"/>" +
+            "<m:pbmetallic metallicness=\"1\" roughness=\"0.25\"/>" +
+            "<m:pbmetallic roughness=\"2\" metallicness=\"NaN\"/></m:pbmetallicdisplayproperties>"
+        val triangles = arrayOf("p1=\"1\" p2=\"0\" p3=\"0\"", "p1=\"0\"", "p1=\"2\"", "pid=\"2\" p1=\"0\"")
+        val group = bases.replace("id=\"1\"", "id=\"1\" displaypropertiesid=\"7\"")
+        for (resources in listOf(metal + group, group + metal)) {
+            val parts = meshes(resources + colors + thing("id=\"9\" pid=\"1\" pindex=\"0\"", *triangles), item)
+            val models = parts.map { it.material.metallicRoughness }
+            assertEquals(listOf(MetallicRoughness(1f, 0.25f), MetallicRoughness(0f, 1f), null), models)
+            assertEquals(listOf(1, 2, 1), parts.map { it.triangleCount })
+        }
+
+        // Elements can name the properties themselves, and layers have those of the first one
+        val own = bases.replace("displaycolor=\"#0000FF80\"", "displaycolor=\"#0000FF\" displaypropertiesid=\"7\"")
+        val layers = "<m:multiproperties id=\"6\" pids=\"1 4\"><m:multi pindices=\"1 0\"/></m:multiproperties>"
+        val thing = thing("id=\"9\" pid=\"1\" pindex=\"0\"", "p1=\"1\"", "p1=\"0\"", "pid=\"6\" p1=\"0\"")
+        val found = meshes(metal + own + textures + layers + thing, item).map { it.material.metallicRoughness }
+        assertEquals(listOf(MetallicRoughness(1f, 0.25f), null, MetallicRoughness(1f, 0.25f)), found)
     }
 
     @Test
-    fun whatIsNoColourIsWhite() {
-        val all = listOf("#FF", "FF0000FF", "#GG0000", "#FF00000000", " #ff0000 ")
-        val group = "<m:colorgroup id=\"2\">" + all.joinToString("") { "<m:color color=\"$it\"/>" } + "</m:colorgroup>"
-        val triangles = all.indices.map { "pid=\"2\" p1=\"$it\"" }.toTypedArray()
-        val warning = "what is not shown: 4 colours that are not #RRGGBB or #RRGGBBAA"
-        val mesh = meshes(group + thing("id=\"9\"", *triangles), item, listOf(warning)).single()
-        assertEquals(List(12) { "FFFFFFFF" } + List(3) { "FFFF0000" }, mesh.codes())
+    fun specularColoursAreReflectances() {
+        val shiny = "<m:pbspeculardisplayproperties id=\"7\"><m:pbspecular glossiness=\"0.75\"/>" +
+            "<m:pbspecular specularcolor=\"#FFFFFF\"/></m:pbspeculardisplayproperties>"
+        val group = colors.replace("id=\"2\"", "id=\"2\" displaypropertiesid=\"7\"")
+        val parts = meshes(shiny + group + thing("id=\"9\"", "pid=\"2\" p1=\"0\"", "pid=\"2\" p1=\"1\""), item)
+        val (plastic, mirror) = parts.map { it.material.metallicRoughness!! }
+        assertEquals(MetallicRoughness(0f, 0.25f), plastic)
+        val specular = checkNotNull(mirror.lobes?.specular)
+        assertEquals(1f, mirror.roughness)
+        assertEquals(1f, specular.color.red * 0.04f, 1e-6f)
+    }
+
+    @Test
+    fun texturesOfDisplayPropertiesAreLaidAsThatOfTheColour() {
+        fun textured(properties: String, more: String): MetallicRoughness {
+            val own = textures.replace("texid=\"3\"", "texid=\"3\" displaypropertiesid=\"7\"")
+            val other = "<m:texture2d id=\"8\" path=\"/3D/Textures/n.png\" contenttype=\"image/png\"/>"
+            val numbers = PngFile.of(1, 1, 8, PngFile.RGBA, listOf(PngFile.bytes(51, 102, 153, 204)))
+            val grey = PngFile.of(1, 1, 8, PngFile.GREY, listOf(PngFile.bytes(9)))
+            val pb = "<m:$properties id=\"7\" $more/>"
+            val model = model(own + other + pb + thing("id=\"9\"", "pid=\"4\" p1=\"0\""), item)
+            val source = TestSources.of(
+                ThreeMfFiles.of(model, "3D/Textures/t.png" to grey, "3D/Textures/n.png" to numbers),
+            )
+            val material = ThreeMfParser.parse(source).meshes.single().material
+            assertEquals(emptyList<String>(), source.warnings)
+            assertEquals(AlphaMode.OPAQUE, material.alphaMode)
+            return checkNotNull(material.metallicRoughness)
+        }
+        fun texel(map: TextureMap?) = "%08X".format(checkNotNull(map).texture.texel(0, 0))
+        val both = textured(
+            "pbmetallictexturedisplayproperties",
+            "metallictextureid=\"8\" roughnesstextureid=\"8\" metallicfactor=\"0.5\"",
+        )
+        assertEquals(listOf("FFFF3366", 0.5f, 1f), listOf(texel(both.map), both.metallic, both.roughness))
+        assertEquals(Texture.Wrap.MIRROR, both.map!!.texture.wrapU)
+        val two = textured("pbmetallictexturedisplayproperties", "metallictextureid=\"8\" roughnesstextureid=\"3\"")
+        assertEquals("FFFF0933", texel(two.map))
+        val gloss = textured(
+            "pbspeculartexturedisplayproperties",
+            "speculartextureid=\"8\" glossinesstextureid=\"8\" glossinessfactor=\"0.5\"",
+        )
+        assertEquals(listOf("FFFF99FF", "CC336699"), listOf(texel(gloss.map), texel(gloss.lobes!!.specular!!.colorMap)))
+        assertEquals(listOf(0f, 1f), listOf(gloss.metallic, gloss.roughness))
+    }
+
+    @Test
+    fun manyFinishesTakeLinearTime() {
+        fun file(count: Int): ByteArray {
+            fun all(element: (Int) -> String) = (0 until count).joinToString("", transform = element)
+            val metal = "<m:pbmetallicdisplayproperties id=\"7\">" +
+                all { "<m:pbmetallic metallicness=\"${it / 9999f}\" roughness=\"1\"/>" } +
+                "</m:pbmetallicdisplayproperties>"
+            val group = "<m:colorgroup id=\"2\" displaypropertiesid=\"7\">" + all { "<m:color color=\"#00FF00\"/>" } +
+                "</m:colorgroup>"
+            val triangles = Array(count) { "pid=\"2\" p1=\"$it\"" }
+            return ThreeMfFiles.of(model(metal + group + thing("id=\"9\"", *triangles), item))
+        }
+        ProcessorTime.assertLinear(4800, ::file) { bytes, count ->
+            assertEquals(count, ThreeMfParser.parse(TestSources.of(bytes)).meshes.size)
+        }
     }
 
     @Test
