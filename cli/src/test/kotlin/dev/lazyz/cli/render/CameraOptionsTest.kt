@@ -120,6 +120,7 @@ class CameraOptionsTest {
     fun aModelIsFittedAndASceneKeepsItsCamera() {
         assertEquals(hash(cameras), hash(cameras, "--camera", "fit"))
         assertEquals(hash(cameras, "--camera", "0"), hash(cameras, "--camera", "scene"))
+        assertEquals(hash(cameras, "--camera", "1"), hash(cameras, "--camera", "far away"))
         assertEquals(4, listOf("fit", "0", "1").map { hash(cameras, "--camera", it) }.plus("").distinct().size)
         assertEquals(hash("plane"), hash("plane", "--camera", "scene"))
         assertNotEquals(hash("plane"), hash("plane", "--camera", "fit"))
@@ -169,7 +170,7 @@ class CameraOptionsTest {
         delimiter = '|',
         value = [
             "--camera 7|--camera 7: the input has 2: 0 (close), 1 (far away)",
-            "--camera nearest|'nearest' is not fit, scene or a number",
+            "--camera nearest|--camera nearest: the input has 2: 0 (close), 1 (far away)",
             "--camera 0 --azimuth 5|--camera with the scene's own camera cannot be combined with --azimuth",
             "--camera scene --margin 5|cannot be combined with --margin",
             "--eye 1,2,3 --view top|--eye cannot be combined with --view",
@@ -194,6 +195,6 @@ class CameraOptionsTest {
 
     @Test
     fun modelsWithoutCamerasHaveNoNumbers() {
-        render(folder.wedge(), "--camera", "0").mistake("--camera 0: the input has no cameras with a number")
+        render(folder.wedge(), "--camera", "0").mistake("--camera 0: the input has no cameras with a number or a name")
     }
 }

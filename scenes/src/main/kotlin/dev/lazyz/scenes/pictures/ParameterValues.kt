@@ -196,7 +196,7 @@ internal class BackdropValues : ParameterValues<Backdrop>("COLOR") {
     }
 }
 
-/** `fit`, `scene` or the number of a camera. */
+/** `fit`, `scene`, or the number or the name of a camera. */
 internal class CameraValues : ParameterValues<CameraChoice>("CAMERA") {
     override val words: Collection<String> get() = listOf("fit", "scene")
     override val completion: WordCompletion get() = WordCompletion.CHOICE
@@ -204,9 +204,12 @@ internal class CameraValues : ParameterValues<CameraChoice>("CAMERA") {
     override fun read(word: String): CameraChoice = when (word.lowercase()) {
         "fit" -> CameraChoice.FIT
         "scene" -> CameraChoice.SCENE
-        else -> CameraChoice.ofModel(
-            word.toIntOrNull()?.takeIf { it >= 0 } ?: unfit("'$word' is not fit, scene or a number, 0 or more"),
-        )
+        "" -> unfit("it is empty")
+        else -> {
+            val number = word.toIntOrNull()
+            if (number != null && number < 0) unfit("a number must be 0 or more: $word")
+            number?.let(CameraChoice::ofModel) ?: CameraChoice.ofModel(word)
+        }
     }
 }
 

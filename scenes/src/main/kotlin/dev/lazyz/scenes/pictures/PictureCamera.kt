@@ -3,6 +3,7 @@ package dev.lazyz.scenes.pictures
 import dev.lazyz.Raster
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.NamedCamera
 import dev.lazyz.scenes.pictures.PictureParameters.AZIMUTH
 import dev.lazyz.scenes.pictures.PictureParameters.CAMERA
 import dev.lazyz.scenes.pictures.PictureParameters.CAMERA_UP
@@ -80,18 +81,26 @@ internal class PictureCamera(private val settings: PictureSettings) {
             choice == null -> if (cameras.isEmpty()) own else Camera.fit()
             choice === CameraChoice.SCENE -> own
             choice !== CameraChoice.FIT ->
-                cameras.getOrNull(choice.number)?.camera ?: refuse(noCamera(choice.number, loaded))
+                (found(choice, cameras) ?: refuse(noCamera(choice, loaded))).camera
             loaded.scene.isOnScreen -> own
             cameras.isEmpty() -> FittedViewpoint.like(own).withZoom(1.0)
             else -> Camera.fit()
         }
     }
 
-    private fun noCamera(number: Int, loaded: LoadedScene): String {
-        val camera = names.of(CAMERA, number)
-        val all = loaded.cameras.mapIndexed { i, it -> if (it.name.isEmpty()) "$i" else "$i (${it.name})" }
-        if (all.isEmpty()) return "$camera: the input has no cameras with a number"
-        return "$camera: the input has ${all.size}: ${all.joinToString()}"
+    private fun found(choice: CameraChoice, cameras: List<NamedCamera>): NamedCamera? = when (choice.number) {
+        CameraChoice.NAMED -> cameras.firstOrNull { it.name == choice.toString() }
+        else -> cameras.getOrNull(choice.number)
+    }
+
+    private fun noCamera(choice: CameraChoice, loaded: LoadedScene): String {
+        val camera = names.of(CAMERA, choice)
+        val all = loaded.cameras.take(MOST_SHOWN).mapIndexed { i, it ->
+            if (it.name.isEmpty()) "$i" else "$i (${it.name})"
+        }
+        if (all.isEmpty()) return "$camera: the input has no cameras with a number or a name"
+        val others = if (loaded.cameras.size > MOST_SHOWN) " and others" else ""
+        return "$camera: the input has ${loaded.cameras.size}: ${all.joinToString()}$others"
     }
 
     /** Returns [viewpoint], or one that shows all of the scene if a parameter or the [style] needs it. */
@@ -278,3 +287,6 @@ internal fun isCropped(scene: Scene, raster: Raster): Boolean {
 
 /** How far beyond a plane rounding takes a point, as a part of the distance between the near and the far plane. */
 private const val PLANE_SLACK = 1e-6
+
+/** How many cameras an error lists. */
+private const val MOST_SHOWN = 20

@@ -268,7 +268,7 @@ public object PictureParameters {
     @JvmField
     public val CAMERA: PictureParameter<CameraChoice> = row(
         "camera", CameraValues(),
-        "fit: show all of the scene; scene: its own camera; or the number of a camera of a model, from 0",
+        "fit: show all of the scene; scene: its own camera; or the number, from 0, or the name of a camera of a model",
         "fit for models, scene for scene files and built-in scenes",
     )
 

@@ -49,6 +49,12 @@ public class CameraChoice private constructor(private val text: String, internal
             require(number >= 0) { "number must be 0 or more: $number" }
             return CameraChoice("$number", number)
         }
+
+        /** Returns the choice of the camera with this [name] in a model; of several, the first. */
+        @JvmStatic
+        public fun ofModel(name: String): CameraChoice = CameraChoice(name, NAMED)
+
+        internal const val NAMED = -2
     }
 }
 

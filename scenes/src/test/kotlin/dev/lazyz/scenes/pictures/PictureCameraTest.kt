@@ -144,6 +144,9 @@ class PictureCameraTest {
         assertEquals(perspective.toString(), chosen(CameraChoice.ofModel(1)))
         val error = assertThrows(NoPictureException::class.java) { chosen(CameraChoice.ofModel(2)) }
         assertEquals("camera=2: the input has 2: 0 (one), 1", error.message)
+        assertEquals(orthographic.toString(), chosen(CameraValues().read("one")))
+        val unknown = assertThrows(NoPictureException::class.java) { chosen(CameraValues().read("One")) }
+        assertEquals("camera=One: the input has 2: 0 (one), 1", unknown.message)
     }
 
     @Test
