@@ -120,6 +120,7 @@ class ModelPicturesTest {
     }
 
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun mistakesInOptionsAreReportedByTheDriver(@TempDir folder: Path) {
         val files = files(folder)
         for ((words, part) in listOf("size=0" to "width", "colour=red" to "'colour=red'", "aa=3" to "1, 2, 4, 8")) {
