@@ -2,6 +2,7 @@ package dev.lazyz
 
 import dev.lazyz.spi.ShadingCursor
 import java.util.concurrent.Executor
+import java.util.function.IntConsumer
 
 /**
  * Options of a rendering. Except for [selector], they change its cost and never its image. Immutable.
@@ -44,6 +45,17 @@ public class RenderOptions @JvmOverloads constructor(
             "tileSize must be a power of two in 8..512: $tileSize"
         }
     }
+
+    /**
+     * Calls [action] for each number in 0 until [count], for a renderer that works in parallel: on the calling thread,
+     * and on others that [executor] has free, at most [threads] in all. Returns when all calls have ended. If one
+     * throws, those that have not begun are skipped, and the first exception is thrown.
+     *
+     * @throws InterruptedException if the calling thread is interrupted
+     */
+    @Throws(InterruptedException::class)
+    public fun inParallel(count: Int, action: IntConsumer): Unit =
+        workers.forEach(count, Checkpoint.CALLER) { number, _ -> action.accept(number) }
 
     /** The capabilities that a renderer must have to support these options. */
     public val needs: Set<Capability>

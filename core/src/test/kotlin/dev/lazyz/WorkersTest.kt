@@ -39,7 +39,7 @@ class WorkersTest {
     fun eachNumberIsTakenOnceWithAnyExecutor() {
         for ((name, executor) in executors) {
             val taken = Collections.synchronizedList(ArrayList<Int>())
-            Workers(4, executor).forEach(100, Checkpoint.NONE) { number, _ -> taken += number }
+            RenderOptions(threads = 4, executor = executor).inParallel(100) { taken += it }
             assertEquals((0 until 100).toList(), taken.sorted(), name)
         }
     }
@@ -48,7 +48,14 @@ class WorkersTest {
     fun severalThreadsTakePart() {
         // Each number waits for the others
         val barrier = CyclicBarrier(4)
-        Workers(4, LibraryThreads).forEach(4, Checkpoint.NONE) { _, _ -> barrier.await() }
+        RenderOptions(threads = 4).inParallel(4) { barrier.await() }
+    }
+
+    @Test
+    fun anInterruptedCallerBeginsNothing() {
+        Thread.currentThread().interrupt()
+        assertThrows(InterruptedException::class.java) { RenderOptions(threads = 1).inParallel(1) { error("begun") } }
+        assertFalse(Thread.currentThread().isInterrupted)
     }
 
     @Test
