@@ -42,7 +42,11 @@ internal class LobeLighting(
         out.fill(0f, 0, 3)
         if (surface[PhysicalSurface.FILM] > 0f) {
             viewer.from(px, py, pz, normalX, normalY, normalZ) { vx, vy, vz, nx, ny, nz ->
-                film(surface, minOf(abs(nx * vx + ny * vy + nz * vz), 1f))
+                ThinFilm.cover(
+                    surface, PhysicalSurface.REFLECTANCE, surface[PhysicalSurface.FILM],
+                    surface[PhysicalSurface.FILM + 1], surface[PhysicalSurface.FILM + 2],
+                    minOf(abs(nx * vx + ny * vy + nz * vz), 1f),
+                )
             }
         }
         if (surface[PhysicalSurface.ANISOTROPY] > 0f) {
@@ -61,18 +65,6 @@ internal class LobeLighting(
             out[1] += green
             out[2] += blue
             if (surface[PhysicalSurface.COAT] > 0f) coat(surface, open, px, py, pz, out)
-        }
-    }
-
-    /** Replaces the reflectance by that of the film, where there is one. */
-    private fun film(surface: FloatArray, cosineV: Float) {
-        val part = surface[PhysicalSurface.FILM]
-        for (channel in 0 until 3) {
-            val f0 = surface[PhysicalSurface.REFLECTANCE + channel]
-            val film = ThinFilm.reflectance(
-                f0, channel, surface[PhysicalSurface.FILM + 1], surface[PhysicalSurface.FILM + 2], cosineV,
-            )
-            surface[PhysicalSurface.REFLECTANCE + channel] = f0 * (1f - part) + film * part
         }
     }
 

@@ -13,11 +13,14 @@ internal object ThinFilm {
     private const val MOST = 0.9999
     private const val LEAST = 1e-5
 
-    /** Heights, places and widths of the colour matching functions X, Y and Z, and of the second hump of X. */
-    private val HEIGHTS = doubleArrayOf(5.4856e-13, 4.4201e-13, 5.2481e-13, 9.7470e-14)
+    /** Areas, places and widths of the colour matching functions X, Y and Z, and of the second hump of X. */
     private val PLACES = doubleArrayOf(1.6810e6, 1.7953e6, 2.2084e6, 2.2399e6)
     private val WIDTHS = doubleArrayOf(4.3278e9, 9.3046e9, 6.6121e9, 4.5282e9)
+    private val AREAS = doubleArrayOf(5.4856e-13, 4.4201e-13, 5.2481e-13, 9.7470e-14).also {
+        for (hump in it.indices) it[hump] *= StrictMath.sqrt(2.0 * StrictMath.PI * WIDTHS[hump])
+    }
     private const val WHITE = 1.0685e-7
+    private const val ORDERS = 2
 
     /** From X, Y and Z to red, green and blue, a row each. */
     private val TO_RGB = doubleArrayOf(
@@ -25,55 +28,83 @@ internal object ThinFilm {
     )
 
     /**
-     * Returns the reflectance at normal incidence, in [channel], of a surface with the reflectance [f0] under a film of
-     * the index [refraction] and a [thickness] in nanometres, such that Schlick's formula gives what the film reflects
-     * at the angle with the [cosine].
+     * Replaces the [part] of the reflectance at normal incidence, three numbers of [surface] from [at] on, by that
+     * under a film of the index [refraction] and a [thickness] in nanometres, such that Schlick's formula gives what
+     * the film reflects at the angle with the [cosine].
      */
-    fun reflectance(f0: Float, channel: Int, refraction: Float, thickness: Float, cosine: Float): Float {
-        if (thickness == 0f) return f0
-        val grazing = Math.min(fifth(1.0 - cosine), MOST)
-        val reflected =
-            reflected(f0.toDouble(), channel, refraction.toDouble(), thickness.toDouble(), cosine.toDouble())
-        return ((reflected - grazing) / (1.0 - grazing)).coerceIn(0.0, 1.0).toFloat()
+    fun cover(surface: FloatArray, at: Int, part: Float, refraction: Float, thickness: Float, cosine: Float) {
+        val film = Film(refraction.toDouble(), thickness.toDouble(), cosine.toDouble())
+        for (channel in 0 until 3) {
+            val f0 = surface[at + channel]
+            val covered = if (thickness == 0f) f0 else film.reflectance(f0, channel)
+            surface[at + channel] = f0 * (1f - part) + covered * part
+        }
     }
 
-    private fun reflected(f0: Double, channel: Int, refraction: Double, thickness: Double, cosine: Double): Double {
-        val fade = Math.min(thickness / THIN, 1.0)
-        val index = 1.0 + (refraction - 1.0) * (fade * fade * (3.0 - 2.0 * fade))
-        val below = 1.0 - (1.0 - cosine * cosine) / (index * index)
-        if (below < 0.0) return 1.0
-        val inside = StrictMath.sqrt(below)
-
-        // The upper side, and the lower one, whose index follows from its reflectance
-        val upper = schlick(atNormal(index, 1.0), cosine)
-        val root = StrictMath.sqrt(f0.coerceIn(0.0, MOST))
-        val base = (1.0 + root) / (1.0 - root)
-        val lower = schlick(atNormal(base, index), inside)
-        val shift = (if (index < 1.0) 0.0 else StrictMath.PI) + (if (base < index) StrictMath.PI else 0.0)
-
-        // The sum of all reflections, of which two orders of interference are seen
-        val both = (upper * lower).coerceIn(LEAST, MOST)
-        val passed = 1.0 - upper
-        val again = passed * passed * lower / (1.0 - both)
-        var sum = upper + again
-        var amplitude = again - passed
-        for (order in 1..2) {
-            amplitude *= StrictMath.sqrt(both)
-            sum += amplitude * 2.0 * sensitivity(channel, order * 2.0 * index * thickness * inside, order * shift)
+    /** A film at an angle, with the functions that all channels share. Not thread safe. */
+    private class Film(refraction: Double, thickness: Double, private val cosine: Double) {
+        private val fade = Math.min(thickness / THIN, 1.0)
+        private val index = 1.0 + (refraction - 1.0) * (fade * fade * (3.0 - 2.0 * fade))
+        private val below = 1.0 - (1.0 - cosine * cosine) / (index * index)
+        private val inside = if (below < 0.0) 0.0 else StrictMath.sqrt(below)
+        private val upper = schlick(atNormal(index, 1.0), cosine)
+        private val phases = DoubleArray(ORDERS) { order ->
+            2.0 * StrictMath.PI * ((order + 1) * 2.0 * index * thickness * inside) * 1e-9
         }
-        return Math.max(sum, 0.0)
-    }
 
-    /** Returns the Fourier transform of the sensitivity in [channel] at an optical path of [way] nanometres. */
-    private fun sensitivity(channel: Int, way: Double, shift: Double): Double {
-        val phase = 2.0 * StrictMath.PI * way * 1e-9
-        var sum = 0.0
-        for (hump in HEIGHTS.indices) {
-            val part = HEIGHTS[hump] * StrictMath.sqrt(2.0 * StrictMath.PI * WIDTHS[hump]) *
-                StrictMath.cos(PLACES[hump] * phase + shift) * StrictMath.exp(-phase * phase * WIDTHS[hump])
-            sum += TO_RGB[3 * channel + hump % 3] * part
+        /** For each order and hump: its decay, and its wave with the shift of [shifts]. */
+        private val decays = DoubleArray(ORDERS * AREAS.size)
+        private val waves = DoubleArray(ORDERS * AREAS.size)
+        private val shifts = DoubleArray(ORDERS) { Double.NaN }
+
+        fun reflectance(f0: Float, channel: Int): Float {
+            val grazing = Math.min(fifth(1.0 - cosine), MOST)
+            return ((reflected(f0.toDouble(), channel) - grazing) / (1.0 - grazing)).coerceIn(0.0, 1.0).toFloat()
         }
-        return sum / WHITE
+
+        private fun reflected(f0: Double, channel: Int): Double {
+            if (below < 0.0) return 1.0
+
+            // The lower side, whose index follows from its reflectance
+            val root = StrictMath.sqrt(f0.coerceIn(0.0, MOST))
+            val base = (1.0 + root) / (1.0 - root)
+            val lower = schlick(atNormal(base, index), inside)
+            val shift = (if (index < 1.0) 0.0 else StrictMath.PI) + (if (base < index) StrictMath.PI else 0.0)
+
+            // The sum of all reflections, of which two orders of interference are seen
+            val both = (upper * lower).coerceIn(LEAST, MOST)
+            val passed = 1.0 - upper
+            val again = passed * passed * lower / (1.0 - both)
+            var sum = upper + again
+            var amplitude = again - passed
+            for (order in 1..ORDERS) {
+                amplitude *= StrictMath.sqrt(both)
+                sum += amplitude * 2.0 * sensitivity(channel, order - 1, order * shift)
+            }
+            return Math.max(sum, 0.0)
+        }
+
+        /** Returns the Fourier transform of the sensitivity in [channel] at the optical path of an order. */
+        private fun sensitivity(channel: Int, order: Int, shift: Double): Double {
+            if (shift != shifts[order]) setWaves(order, shift)
+            var sum = 0.0
+            for (hump in AREAS.indices) {
+                val at = order * AREAS.size + hump
+                sum += TO_RGB[3 * channel + hump % 3] * (AREAS[hump] * waves[at] * decays[at])
+            }
+            return sum / WHITE
+        }
+
+        private fun setWaves(order: Int, shift: Double) {
+            val phase = phases[order]
+            val isFirst = shifts[order].isNaN()
+            shifts[order] = shift
+            for (hump in AREAS.indices) {
+                val at = order * AREAS.size + hump
+                waves[at] = StrictMath.cos(PLACES[hump] * phase + shift)
+                if (isFirst) decays[at] = StrictMath.exp(-phase * phase * WIDTHS[hump])
+            }
+        }
     }
 
     private fun atNormal(lower: Double, upper: Double): Double {

@@ -175,20 +175,27 @@ class LobeLightingTest {
         }
     }
 
+    /** The reflectance [f0] under a film, in one channel. */
+    private fun covered(f0: Float, channel: Int, refraction: Float, thickness: Float, cosine: Float): Float {
+        val surface = FloatArray(3) { f0 }
+        ThinFilm.cover(surface, 0, 1f, refraction, thickness, cosine)
+        return surface[channel]
+    }
+
     @Test
     fun rule_6_16_filmsColourWhatIsReflected() {
         for (f0 in listOf(0.04f, 0.5f, 0.9f)) {
             for (channel in 0 until 3) {
-                assertEquals(f0, ThinFilm.reflectance(f0, channel, 1.8f, 0f, 0.7f), 1e-4f, "no film")
+                assertEquals(f0, covered(f0, channel, 1.8f, 0f, 0.7f), 1e-4f, "no film")
                 for (thickness in 50..800 step 50) {
-                    val film = ThinFilm.reflectance(f0, channel, 1.3f, thickness.toFloat(), 1f)
+                    val film = covered(f0, channel, 1.3f, thickness.toFloat(), 1f)
                     assertTrue(film in 0f..1f) { "$f0, $thickness: $film" }
                 }
             }
         }
 
         // A film of a quarter of the wavelength, whose index is between those of both sides, reflects least
-        val greens = (50..250).associateWith { ThinFilm.reflectance(0.04f, 1, 1.22f, it.toFloat(), 1f) }
+        val greens = (50..250).associateWith { covered(0.04f, 1, 1.22f, it.toFloat(), 1f) }
         assertEquals(545 / 1.22 / 4, greens.minByOrNull { it.value }!!.key.toDouble(), 15.0)
         val lobes = Lobes(iridescence = Lobes.Iridescence(0.5f, 1.3f, 400f))
         val halves = listOf(0f, 1f).map { seen(material(Lobes(iridescence = Lobes.Iridescence(it, 1.3f, 400f))), sun) }

@@ -74,9 +74,10 @@ internal class Ktx2Image private constructor(private val bytes: ByteArray) {
     }
 
     /** Returns where in a texel the channel is that [letter] names, or [ZERO] or [ONE] for a constant. */
-    private fun place(letter: Char): Int {
-        val place = channels.indexOf(letter)
-        return if (place >= 0) place else if (letter == 'a' || letter == '1') ONE else ZERO
+    private fun place(letter: Char): Int = when {
+        letter in channels -> channels.indexOf(letter)
+        letter == 'a' || letter == '1' -> ONE
+        else -> ZERO
     }
 
     private fun code(row: ByteArray, texel: Int, place: Int): Int = when (place) {

@@ -30,9 +30,13 @@ class Ktx2ImageTest {
         metadata: Map<String, String> = emptyMap(),
         colorModel: Int = 1,
     ): ByteArray {
-        val data = if (scheme != 3) texels else ByteArrayOutputStream().also { out ->
-            DeflaterOutputStream(out).use { it.write(texels) }
-        }.toByteArray()
+        val data = if (scheme != 3) {
+            texels
+        } else {
+            ByteArrayOutputStream().also { out ->
+                DeflaterOutputStream(out).use { it.write(texels) }
+            }.toByteArray()
+        }
         val values = ByteArrayOutputStream()
         for ((key, value) in metadata) {
             val entry = "$key\u0000$value\u0000".toByteArray()

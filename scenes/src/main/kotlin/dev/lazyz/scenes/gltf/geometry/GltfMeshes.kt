@@ -147,9 +147,7 @@ internal class GltfMeshes(
      * Returns [surface] with the tangents that its material needs. If the file has none, or has no normals that they
      * would belong to (section 3.7.2.1), they are computed now, because this may split vertices.
      */
-    private fun withTangents(surface: Surface): Surface {
-        return if (surface is Mesh) surface.withNeededTangents() else surface
-    }
+    private fun withTangents(surface: Surface): Surface = if (surface is Mesh) surface.withNeededTangents() else surface
 
     private fun indices(vertices: GltfVertices, count: Int, where: String): IntArray {
         val indices = vertices.indices() ?: IntArray(count) { it }
