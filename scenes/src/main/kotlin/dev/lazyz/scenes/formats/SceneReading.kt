@@ -66,6 +66,7 @@ internal object SceneReading {
         val loading = Loading(LoadOptions(limits))
         val source = Source(bytes(path, name, null, loading), name, null, loading)
         return TextureFiles.decode(source, source.bytes, path.fileName.toString())
+            ?: TextureFiles.refusal(source.bytes)?.let { source.fail(null, "cannot be decoded: it is $it") }
             ?: source.fail(null, "is not an image that can be read", "save it as PNG or JPEG")
     }
 

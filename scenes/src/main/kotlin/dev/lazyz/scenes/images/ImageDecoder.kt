@@ -155,12 +155,13 @@ internal object TextureFiles {
     private const val START = 512
     private val avif = listOf("ftypavif", "ftypavis").map { it.toByteArray(Charsets.ISO_8859_1) }
 
+    /** Returns the format of an image that begins with [bytes], and what to do, if it is one that is not read. */
+    fun refusal(bytes: ByteArray): String? =
+        if (avif.any { it.isAt(bytes, 4) }) "AVIF; save it as PNG, JPEG or WebP" else Ktx2Image.refusal(bytes)
+
     /** Returns the text of a warning about an image that exists but cannot be decoded, and begins with [bytes]. */
-    fun notDecoded(bytes: ByteArray): String {
-        val isAvif = avif.any { it.isAt(bytes, 4) }
-        val format = if (isAvif) "AVIF; save it as PNG, JPEG or WebP" else Ktx2Image.refusal(bytes)
-        return "cannot be decoded and is left out" + (format?.let { ": it is $it" } ?: "; save it as PNG, JPEG or WebP")
-    }
+    fun notDecoded(bytes: ByteArray): String = "cannot be decoded and is left out" +
+        (refusal(bytes)?.let { ": it is $it" } ?: "; save it as PNG, JPEG or WebP")
 
     /** As [notDecoded], for the image in [file]. */
     fun notDecoded(file: Path): String = notDecoded(
