@@ -75,8 +75,8 @@ internal object ImageDecoder {
         val ktx2 = Ktx2Image.of(bytes)
         if (ktx2 != null) {
             if (ktx2.pixels > MAX_PIXELS) return null
-            admit(ktx2.pixels, Loading.DECODING_BYTES * ktx2.pixels)
-            return convert(ktx2.decode())
+            admit(ktx2.pixels, ktx2.memory)
+            return convert(ktx2.decode(look))
         }
         val isWebP = WebPImage.isWebP(bytes)
         val reader = if (isWebP) WebPImage.reader(bytes, look) else readerOf(bytes)

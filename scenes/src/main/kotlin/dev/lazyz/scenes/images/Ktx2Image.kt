@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.images
 
+import dev.lazyz.scenes.loading.Loading
 import java.awt.image.BufferedImage
 import java.awt.image.DataBufferInt
 import java.io.ByteArrayInputStream
@@ -11,7 +12,7 @@ import java.util.zip.InflaterInputStream
 
 /**
  * A KTX 2.0 file (Khronos Group, "KTX File Format Specification", version 2.0) with one picture of 8 bits a channel,
- * as it is or compressed by zlib. Only its largest level is read.
+ * as it is or compressed by zlib or Zstandard. Only its largest level is read.
  *
  * Channels that are missing are 0, and alpha is 255, unless the metadata `KTXswizzle` says otherwise; `KTXorientation`
  * is obeyed.
@@ -29,10 +30,12 @@ internal class Ktx2Image private constructor(private val bytes: ByteArray) {
     /** Number of pixels. */
     val pixels: Long get() = width * height
 
+    /** Bytes that are needed to decode it. */
+    val memory: Long get() = pixels * (Loading.DECODING_BYTES + if (scheme == ZSTANDARD) channels.length else 0)
+
     /** The format and how to convert it, if it is one that is not read; otherwise null. */
     val refusal: String? = when {
         scheme == BASIS_LZ -> "Basis Universal compression (ETC1S)$BASIS_REMEDY"
-        scheme == ZSTANDARD && channels.isNotEmpty() -> ZSTANDARD_REMEDY
         format == 0L && colorModel() == UASTC -> "Basis Universal compression (UASTC)$BASIS_REMEDY"
         scheme > ZLIB || channels.isEmpty() -> "texels of the Vulkan format $format; save it as PNG, JPEG or WebP"
         height == 0L || int(28) > 1 || int(32) > 1 || int(36) != 1L -> "several pictures; save one as PNG, JPEG or WebP"
@@ -40,7 +43,7 @@ internal class Ktx2Image private constructor(private val bytes: ByteArray) {
     }?.let { "KTX2 with $it" }
 
     private fun isValid(): Boolean {
-        val mostPacked = if (scheme == ZLIB) length * MOST_INFLATED else length
+        val mostPacked = length * (MOST_UNPACKED[scheme] ?: 1)
         return width in 1..MOST_SIDE && height in 1..MOST_SIDE && start >= LEVELS && length >= 0 &&
             length <= bytes.size - start && pixels * channels.length <= mostPacked
     }
@@ -48,9 +51,10 @@ internal class Ktx2Image private constructor(private val bytes: ByteArray) {
     /**
      * Returns the picture.
      *
+     * @param look called now and then; throws to end the decoding
      * @throws IOException if the data is damaged or cut short
      */
-    fun decode(): BufferedImage {
+    fun decode(look: () -> Unit): BufferedImage {
         val image = BufferedImage(width.toInt(), height.toInt(), BufferedImage.TYPE_INT_ARGB)
         val argb = (image.raster.dataBuffer as DataBufferInt).data
         val swizzle = metadata("KTXswizzle")?.takeIf { it.length == ARGB.length } ?: "rgba"
@@ -59,9 +63,14 @@ internal class Ktx2Image private constructor(private val bytes: ByteArray) {
         val isUpward = orientation.getOrNull(1) == 'u'
         val isLeftward = orientation.getOrNull(0) == 'l'
         val packed = ByteArrayInputStream(bytes, start.toInt(), length.toInt())
-        val stream = if (scheme == ZLIB) InflaterInputStream(packed) else packed
+        val stream = when (scheme) {
+            ZLIB -> InflaterInputStream(packed)
+            ZSTANDARD -> ByteArrayInputStream(unpacked(look))
+            else -> packed
+        }
         val row = ByteArray(image.width * channels.length)
         for (y in 0 until image.height) {
+            look()
             if (stream.readNBytes(row, 0, row.size) < row.size) throw EOFException("the file is cut short")
             val to = (if (isUpward) image.height - 1 - y else y) * image.width
             for (x in 0 until image.width) {
@@ -72,6 +81,9 @@ internal class Ktx2Image private constructor(private val bytes: ByteArray) {
         }
         return image
     }
+
+    private fun unpacked(look: () -> Unit): ByteArray =
+        Zstandard.decode(bytes, start.toInt(), length.toInt(), Math.toIntExact(pixels * channels.length), look)
 
     /** Returns where in a texel the channel is that [letter] names, or [ZERO] or [ONE] for a constant. */
     private fun place(letter: Char): Int = when {
@@ -119,8 +131,10 @@ internal class Ktx2Image private constructor(private val bytes: ByteArray) {
         private const val ZLIB = 3L
         private const val UASTC = 166
 
-        /** Bytes that one byte of zlib can become, and the longest side, so that products fit into a number. */
-        private const val MOST_INFLATED = 1032L
+        /** Bytes that one byte can become: a block of 4 has 128 KiB at most. */
+        private val MOST_UNPACKED = mapOf(ZLIB to 1032L, ZSTANDARD to 32768L)
+
+        /** The longest side, so that products fit into a number. */
         private const val MOST_SIDE = 1L shl 24
 
         /** The channels of the formats of 8 bits, by their numbers in Vulkan, for linear and for sRGB codes. */
@@ -131,7 +145,6 @@ internal class Ktx2Image private constructor(private val bytes: ByteArray) {
         private const val ARGB = "argb"
         private const val ZERO = -1
         private const val ONE = -2
-        private const val ZSTANDARD_REMEDY = "Zstandard compression; \"ktx extract A.ktx2 A.png\" converts it"
         private const val BASIS_REMEDY = "; \"ktx extract --transcode rgba8 A.ktx2 A.png\" converts it, " +
             "or \"gltf-transform ktxdecompress A.glb B.glb\" the whole model"
 

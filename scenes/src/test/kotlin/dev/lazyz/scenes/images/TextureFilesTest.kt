@@ -116,9 +116,9 @@ class TextureFilesTest {
         assertEquals(listOf("00", "FF"), texels(clear).map { it.take(2) })
     }
 
-    /** A JPEG of one pixel of four numbers, with Adobe's marker that says how they are transformed, or without one. */
-    private fun fourNumbers(numbers: List<Int>, transform: Int?): ByteArray {
-        val raster = Raster.createInterleavedRaster(DataBuffer.TYPE_BYTE, 8, 8, 4, null)
+    /** A JPEG of one colour of [numbers], with Adobe's marker that says how they are transformed, or without one. */
+    private fun jpegOf(numbers: List<Int>, transform: Int?): ByteArray {
+        val raster = Raster.createInterleavedRaster(DataBuffer.TYPE_BYTE, 8, 8, numbers.size, null)
         for (i in 0 until 64) raster.setPixel(i % 8, i / 8, numbers.toIntArray())
         val out = ByteArrayOutputStream()
         val writer = ImageIO.getImageWritersByFormatName("jpeg").next()
@@ -134,6 +134,12 @@ class TextureFilesTest {
     }
 
     @Test
+    fun jpegsCanHaveRedGreenAndBlue() {
+        assertEquals("FFC81E5A", texels(jpegOf(listOf(200, 30, 90), 0))[0])
+        assertEquals("FFC8C8C8", texels(jpegOf(listOf(200, 128, 128), 1))[0])
+    }
+
+    @Test
     fun inksBecomeTheColourThatTheyLeave() {
         val red = listOf(0, 255, 255, 0) to 0xFF0000
         val dark = listOf(200, 30, 90, 40) to 0x2EBE8B
@@ -144,9 +150,9 @@ class TextureFilesTest {
             val luma = 0.299 * c + 0.587 * m + 0.114 * y
             val ycck = listOf(luma, 128 + (y - luma) * 0.564, 128 + (c - luma) * 0.713).map { Math.round(it).toInt() }
             val files = listOf(
-                fourNumbers(inverted, 0),
-                fourNumbers(inverted, null),
-                fourNumbers(ycck.map { minOf(it, 255) } + (255 - k), 2),
+                jpegOf(inverted, 0),
+                jpegOf(inverted, null),
+                jpegOf(ycck.map { minOf(it, 255) } + (255 - k), 2),
             )
             for ((form, file) in files.withIndex()) {
                 val color = texels(file)[0].toLong(16).toInt()
