@@ -28,7 +28,8 @@ internal class ThreeMfMeshes(private val source: Source, private val textures: T
         private set
 
     /**
-     * Returns the triangles of [found], which [model] defines, with smooth normals: one mesh for each texture and finish.
+     * Returns the triangles of [found], which [model] defines, with smooth normals: one mesh for each texture and
+     * finish.
      */
     fun build(model: ThreeMfModel, found: ThreeMfObject, default: DefaultLook): List<Mesh> {
         if (found.triangles.size == 0) return emptyList()
