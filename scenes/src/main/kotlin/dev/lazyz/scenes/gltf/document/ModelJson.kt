@@ -132,6 +132,8 @@ internal class MaterialJson(json: GltfObject?) : ExtensibleJson(json) {
     val alphaCutoff: Float? = json?.number("alphaCutoff", least = 0f)
     val doubleSided: Boolean? = json?.flag("doubleSided")
     val specular: SpecularJson? = json?.extension(LobeExtensions.SPECULAR, ::SpecularJson)
+    val glossiness: GlossinessJson? = json?.extension(SpecularGlossiness.NAME, ::GlossinessJson)
+        ?.takeIf { it.isTextured && pbrMetallicRoughness?.metallicRoughnessTexture == null }
     val sheen: SheenJson? = json?.extension(LobeExtensions.SHEEN, ::SheenJson)
     val clearcoat: ClearcoatJson? = json?.extension(LobeExtensions.CLEARCOAT, ::ClearcoatJson)
     val transmission: TransmissionJson? = json?.extension(LobeExtensions.TRANSMISSION, ::TransmissionJson)
@@ -152,6 +154,14 @@ internal object LobeExtensions {
     const val REFRACTION: String = "KHR_materials_ior"
     val all: List<String> =
         listOf(SPECULAR, SHEEN, CLEARCOAT, TRANSMISSION, VOLUME, IRIDESCENCE, ANISOTROPY, REFRACTION)
+}
+
+/** What [SpecularGlossiness] does not convert: the reflection of a material with textures. */
+internal class GlossinessJson(json: GltfObject) {
+    val specularFactor: FloatArray? = json.fractions("specularFactor", 3)
+    val factor: Float? = json.fraction("glossinessFactor")
+    val texture: TextureInfoJson? = json.one("specularGlossinessTexture", ::TextureInfoJson)
+    val isTextured: Boolean = texture != null || json.one("diffuseTexture", ::TextureInfoJson) != null
 }
 
 internal class SpecularJson(json: GltfObject) {

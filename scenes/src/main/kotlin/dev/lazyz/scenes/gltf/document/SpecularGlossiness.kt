@@ -8,17 +8,16 @@ import dev.lazyz.scenes.json.JsonMap
  *
  * Without textures, the conversion is that of the Khronos Group (examples of the extension, "Convert between
  * workflows"): a material whose specular colour is brighter than that of dielectrics becomes partly or fully metallic.
- * A material with textures is taken as a dielectric with the diffuse colour as base colour, because the conversion
- * would need both colours at each texel.
  *
- * The texture of specular colour and glossiness is ignored with a warning, and counts as half glossy. If a material has
- * one, and also the metallic-roughness texture, the metallic-roughness values of the file are used.
+ * A material with textures becomes a dielectric with the diffuse colour as base colour. `GltfLobes` adds the reflection
+ * of the specular colour, and `GltfMaterials` the roughness. If a material has a texture of glossiness, and also a
+ * metallic-roughness texture, the metallic-roughness values of the file are used.
  */
 internal object SpecularGlossiness {
     const val NAME: String = "KHR_materials_pbrSpecularGlossiness"
+    const val TEXTURE: String = "specularGlossinessTexture"
 
     private const val METALLIC_ROUGHNESS = "pbrMetallicRoughness"
-    private const val TEXTURE = "specularGlossinessTexture"
     private const val DIELECTRIC = 0.04
     private const val EPSILON = 1e-6
 
@@ -31,7 +30,6 @@ internal object SpecularGlossiness {
             val isTextured = TEXTURE in old
             val metallicRoughness = material.map(METALLIC_ROUGHNESS)
             if (isTextured && metallicRoughness != null && "metallicRoughnessTexture" in metallicRoughness) continue
-            if (isTextured) warnings.count("textures of specular colour and glossiness are passed over")
             material[METALLIC_ROUGHNESS] = converted(old)
         }
     }
@@ -39,8 +37,7 @@ internal object SpecularGlossiness {
     private fun converted(old: JsonMap): JsonMap {
         val new = JsonMap()
         val diffuse = fractions(old["diffuseFactor"], 4)
-        val glossiness = fraction(old["glossinessFactor"]) * (if (TEXTURE in old) 0.5 else 1.0)
-        new["roughnessFactor"] = 1.0 - glossiness
+        new["roughnessFactor"] = if (TEXTURE in old) 1.0 else 1.0 - fraction(old["glossinessFactor"])
         old["diffuseTexture"]?.let { new["baseColorTexture"] = it }
         val isDielectric = TEXTURE in old || "diffuseTexture" in old
         val specular = if (isDielectric) DoubleArray(3) else fractions(old["specularFactor"], 3)

@@ -11,6 +11,8 @@ import dev.lazyz.scenes.gltf.document.LobeExtensions.SPECULAR
 import dev.lazyz.scenes.gltf.document.LobeExtensions.TRANSMISSION
 import dev.lazyz.scenes.gltf.document.LobeExtensions.VOLUME
 import dev.lazyz.scenes.gltf.document.MaterialJson
+import dev.lazyz.scenes.gltf.document.SpecularGlossiness
+import dev.lazyz.scenes.gltf.document.SpecularGlossiness.TEXTURE
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.Texture.Encoding
@@ -26,6 +28,12 @@ internal class GltfLobes(private val json: MaterialJson, private val maps: GltfM
     }
 
     private fun specular(): Lobes.Specular? {
+        // A specular colour is a reflectance, without a part that the index of refraction decides
+        val glossiness = json.glossiness
+        if (glossiness != null) {
+            val map = maps.map(glossiness.texture, Encoding.SRGB, "$here.${SpecularGlossiness.NAME}.$TEXTURE")
+            return Lobes.Specular(1f, color(glossiness.specularFactor, Rgba.WHITE), 0f, null, map)
+        }
         val json = json.specular
         val refraction = this.json.extension(REFRACTION)?.let { ExtensionValues.number(it, "ior", DEFAULT).toFloat() }
         val specular = Lobes.Specular(

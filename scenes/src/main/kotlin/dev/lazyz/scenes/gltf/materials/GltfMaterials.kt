@@ -2,8 +2,10 @@ package dev.lazyz.scenes.gltf.materials
 
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.gltf.document.ExtensionValues
+import dev.lazyz.scenes.gltf.document.GlossinessJson
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.document.MaterialJson
+import dev.lazyz.scenes.gltf.document.SpecularGlossiness
 import dev.lazyz.scenes.gltf.document.TextureInfoJson
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
@@ -77,6 +79,7 @@ internal class GltfMaterials(private val document: GltfDocument) {
 
         val modelMap =
             maps.map(pbr?.metallicRoughnessTexture, Texture.Encoding.LINEAR, "$here.metallicRoughnessTexture")
+                ?: roughness(json.glossiness, maps, "$where.extensions.${SpecularGlossiness.NAME}")
         val normalMap = maps.map(json.normalTexture, Texture.Encoding.LINEAR, "$where.normalTexture")
         val normalScale = json.normalTexture?.scale?.takeIf { it.isFinite() } ?: 1f
         val occlusionMap = maps.map(json.occlusionTexture, Texture.Encoding.LINEAR, "$where.occlusionTexture")
@@ -90,6 +93,12 @@ internal class GltfMaterials(private val document: GltfDocument) {
             .withEmission(emission(json))
             .withEmissionMap(emissionMap)
         return GltfMaterial(material, maps.texCoordSets)
+    }
+
+    /** Returns the roughness that belongs to a map of glossiness. */
+    private fun roughness(json: GlossinessJson?, maps: GltfMaps, where: String): TextureMap? {
+        val map = maps.map(json?.texture, Texture.Encoding.LINEAR, "$where.${SpecularGlossiness.TEXTURE}") ?: return null
+        return map.withTexture(textures.roughness(map.texture, json?.factor ?: 1f))
     }
 
     /** Returns [material] as a translucent one if light passes and its alpha has no meaning of its own. */

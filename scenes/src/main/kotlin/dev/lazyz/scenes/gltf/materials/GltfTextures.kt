@@ -20,6 +20,7 @@ internal class GltfTextures(private val document: GltfDocument) {
      */
     private val images = HashMap<Any, Texture?>()
     private val textures = HashMap<Pair<Int?, Texture.Encoding>, Texture?>()
+    private val roughness = HashMap<Pair<Texture, Float>, Texture>()
 
     /**
      * Returns the texture with number [index], whose codes mean what [encoding] says. [where] is the place that refers
@@ -27,6 +28,17 @@ internal class GltfTextures(private val document: GltfDocument) {
      */
     fun texture(index: Int?, encoding: Texture.Encoding, where: String): Texture? =
         textures.getOrPut(index to encoding) { read(index, where)?.withEncoding(encoding) }
+
+    /** Returns a texture whose green component is 1 - [factor] times the alpha of [glossiness], and whose blue one is 1. */
+    fun roughness(glossiness: Texture, factor: Float): Texture = roughness.getOrPut(glossiness to factor) {
+        val (width, height) = glossiness.width to glossiness.height
+        document.source.loading.texels(document.source, width.toLong() * height)
+        val texels = IntArray(width * height) {
+            val alpha = glossiness.texel(it % width, it / width) ushr 24
+            0xFF shl 24 or ((255 - alpha * factor + 0.5f).toInt() shl 8) or 0xFF
+        }
+        glossiness.run { Texture(width, height, texels, filter, wrapU, wrapV, name, mipFilter, encoding) }
+    }
 
     private fun read(index: Int?, where: String): Texture? {
         val texture = document.element(document.json.textures, index, "textures", where)

@@ -185,19 +185,33 @@ class GltfMaterialsTest {
     }
 
     @Test
-    fun diffuseTexturesAreOfBaseColour() {
+    fun texturesOfSpecularColourAndGlossinessAreShown() {
         val diffuse = """"diffuseFactor":[0.5,0.25,0,1],"diffuseTexture":{"index":0}"""
-        val (material, source) = glossy("$diffuse,\"specularGlossinessTexture\":{\"index\":0}")
+        val specular = """"specularFactor":[0.5,0.25,0],"glossinessFactor":0.75"""
+        val (material, source) = glossy("$diffuse,$specular,\"specularGlossinessTexture\":{\"index\":0}")
+        assertEquals(emptyList<String>(), source.warnings)
         assertEquals(Rgba(0.5f, 0.25f, 0f), material.baseColor)
         assertNotNull(material.textureMap)
-        assertEquals(MetallicRoughness(0f, 0.5f), material.metallicRoughness)
-        val warning = "test: textures of specular colour and glossiness are passed over: 1"
-        assertEquals(listOf(warning), source.warnings)
+        val model = checkNotNull(material.metallicRoughness)
+        assertEquals(0f to 1f, model.metallic to model.roughness)
+        assertEquals(0xFFFF40FF.toInt(), checkNotNull(model.map).texture.texel(0, 0) or 0xFF0000)
+        val reflected = Lobes.Specular(1f, Rgba(0.5f, 0.25f, 0f), 0f, null, model.lobes?.specular?.colorMap)
+        assertEquals(Lobes(reflected), model.lobes)
+        assertEquals(Texture.Encoding.SRGB, reflected.colorMap?.texture?.encoding)
+
+        val plain = checkNotNull(glossy("$diffuse,$specular").first.metallicRoughness)
+        assertEquals(MetallicRoughness(0f, 0.25f, null, Lobes(Lobes.Specular(1f, reflected.color, 0f))), plain)
+    }
+
+    @Test
+    fun metallicRoughnessIsPreferredToTexturesOfGlossiness() {
         val metallic = ""","pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}}"""
-        val own = glossy("\"specularGlossinessTexture\":{\"index\":0}", metallic)
-        assertNotNull(own.first.metallicRoughness?.map)
-        assertEquals(emptyList<String>(), own.second.warnings)
-        assertNull(glossy(diffuse, metallic).first.metallicRoughness?.map)
+        val own = checkNotNull(
+            glossy("\"specularGlossinessTexture\":{\"index\":0}", metallic).first.metallicRoughness,
+        )
+        assertNotNull(own.map)
+        assertNull(own.lobes)
+        assertNull(glossy("\"diffuseTexture\":{\"index\":0}", metallic).first.metallicRoughness?.map)
     }
 
     private val image = ""","textures":[{"source":0}],"images":[{"bufferView":2}]"""
