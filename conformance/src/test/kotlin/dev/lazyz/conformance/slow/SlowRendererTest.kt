@@ -39,6 +39,9 @@ import org.junit.jupiter.api.Test
 class SlowRendererTest {
     private val sun = Light.Directional(Vector3d(-0.5, -0.7, -0.6), Rgba(0.9f, 0.8f, 0.7f))
 
+    /** From behind, so that it grazes what is seen. */
+    private val rim = Light.Directional(Vector3d(0.6, -0.2, 0.8), Rgba(0.5f, 0.6f, 0.7f))
+
     /** The same 16 samples. Vertices on a grid of 1/256 sample move the edges of texels over some of them. */
     @Test
     fun texelsAreWhereTheyBelong() {
@@ -57,7 +60,7 @@ class SlowRendererTest {
     @Test
     fun mipLevelsAreThoseOfTheFootprint() {
         val image = noise(64, Texture.Filter.BILINEAR, Wrap.REPEAT, Wrap.REPEAT, MipFilter.TRILINEAR)
-        val scene = floor(constant(TextureMap(image, 0, UvTransform(12.0, 12.0))), 20f)
+        val scene = floor(constant(TextureMap(image, 0, UvTransform(12.0, 12.0, 30.0))), 20f)
         compare("levels", scene, 4, Tolerance(0.4, 3.0), Filter.LEVELS)
     }
 
@@ -68,7 +71,7 @@ class SlowRendererTest {
     @Test
     fun aFloorToTheHorizonHasItsMeanColours() {
         val image = noise(64, Texture.Filter.BILINEAR, Wrap.REPEAT, Wrap.REPEAT, MipFilter.ANISOTROPIC)
-        val scene = floor(constant(TextureMap(image, 0, UvTransform(12.0, 12.0))), 20f)
+        val scene = floor(constant(TextureMap(image, 0, UvTransform(12.0, 12.0, 30.0))), 20f)
         compare("horizon", scene, 16, Tolerance(1.4, 12.0))
     }
 
@@ -145,12 +148,13 @@ class SlowRendererTest {
         compare("maps", lit(listOf(square(2f, 0f, material)), sun), 1, Tolerance(0.4, 2.5))
     }
 
-    /** A matt surface receives the first nine harmonics of the light. */
+    /** A matt surface receives the first nine harmonics of the light; a black one shows the reflection above it. */
     @Test
     fun mattSurfacesReflectTheStudio() {
         for (eye in listOf(Vector3d(0.0, 0.0, 5.0), Vector3d(3.0, 1.0, 4.0))) {
             compare("matt", studio(eye, listOf(0, 3, 6)), 1, Tolerance(2.0, 6.0))
         }
+        compare("black", studio(Vector3d(0.0, 0.0, 5.0), listOf(3, 6), Rgba.BLACK), 1, Tolerance(4.0, 10.0))
     }
 
     /** Light that is blurred by roughness has a simple form, and is the same from all sides of a reflected ray. */
@@ -204,11 +208,11 @@ class SlowRendererTest {
         .background(Rgba(0.2f, 0.25f, 0.3f)).build().withSurfaces(surfaces)
 
     private fun lit(surfaces: List<Surface>, light: Light): Scene =
-        scene(surfaces, perspective(Vector3d(0.0, 0.7, 5.0))).withLights(listOf(light))
+        scene(surfaces, perspective(Vector3d(0.0, 0.7, 5.0))).withLights(listOf(light, rim))
             .withEnvironment(Environment.NONE).withToneMapping(ToneMapping.NONE)
 
-    private fun studio(eye: Vector3d, numbers: List<Int>): Scene =
-        scene(numbers.map(balls()::get), perspective(eye)).withToneMapping(ToneMapping.NONE)
+    private fun studio(eye: Vector3d, numbers: List<Int>, color: Rgba = BROWN): Scene =
+        scene(numbers.map(balls(null, color)::get), perspective(eye)).withToneMapping(ToneMapping.NONE)
 
     private fun floor(material: Material, half: Float): Scene = scene(listOf(square(half, 0f, material)), usual)
 
@@ -231,9 +235,9 @@ class SlowRendererTest {
     }
 
     /** Nine balls: from left to right more of a metal, from the top rougher. */
-    private fun balls(lobes: Lobes? = null): List<Surface> = (0 until 9).map {
+    private fun balls(lobes: Lobes? = null, color: Rgba = BROWN): List<Surface> = (0 until 9).map {
         val model = MetallicRoughness(it % 3 / 2f, 0.3f + it / 3 * 0.3f, null, lobes)
-        val material = Material(Rgba(0.8f, 0.5f, 0.25f)).withMetallicRoughness(model)
+        val material = Material(color).withMetallicRoughness(model)
         ball((it % 3 - 1) * 1.2f, (1 - it / 3) * 1.2f, 0.55f, material)
     }
 
@@ -254,5 +258,9 @@ class SlowRendererTest {
             listOf(it, next, it + columns, next, next + columns, it + columns)
         }
         return Mesh(positions, triangles.toIntArray(), material, normals)
+    }
+
+    private companion object {
+        val BROWN = Rgba(0.8f, 0.5f, 0.25f)
     }
 }
