@@ -154,7 +154,7 @@ class SlowRendererTest {
         for (eye in listOf(Vector3d(0.0, 0.0, 5.0), Vector3d(3.0, 1.0, 4.0))) {
             compare("matt", studio(eye, listOf(0, 3, 6)), 1, Tolerance(2.0, 6.0))
         }
-        compare("black", studio(Vector3d(0.0, 0.0, 5.0), listOf(3, 6), Rgba.BLACK), 1, Tolerance(4.0, 10.0))
+        compare("black", studio(Vector3d(0.0, 0.0, 5.0), listOf(3, 6), Rgba.BLACK), 1, Tolerance(3.8, 9.0))
     }
 
     /** Light that is blurred by roughness has a simple form, and is the same from all sides of a reflected ray. */

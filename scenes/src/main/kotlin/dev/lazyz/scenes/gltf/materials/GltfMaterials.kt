@@ -97,7 +97,8 @@ internal class GltfMaterials(private val document: GltfDocument) {
 
     /** Returns the roughness that belongs to a map of glossiness. */
     private fun roughness(json: GlossinessJson?, maps: GltfMaps, where: String): TextureMap? {
-        val map = maps.map(json?.texture, Texture.Encoding.LINEAR, "$where.${SpecularGlossiness.TEXTURE}") ?: return null
+        val map =
+            maps.map(json?.texture, Texture.Encoding.LINEAR, "$where.${SpecularGlossiness.TEXTURE}") ?: return null
         return map.withTexture(textures.roughness(map.texture, json?.factor ?: 1f))
     }
 

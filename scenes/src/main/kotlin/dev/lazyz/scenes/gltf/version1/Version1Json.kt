@@ -20,6 +20,7 @@ internal class Version1Json private constructor(
     private val new = JsonMap()
     private val names = HashMap<String, Map<String, Int>>()
     private val extraNodes = ArrayList<JsonMap>()
+    private val colorless = HashMap<String, Boolean>()
 
     private fun convert(): JsonMap {
         new["asset"] = JsonMap().also { it["version"] = "2.0" }
@@ -112,15 +113,24 @@ internal class Version1Json private constructor(
             source.step()
             val here = "$where.primitives[$i]"
             if (primitive !is JsonMap) fail(here, "it is no JSON object")
+            val isColorless = isColorless(old.map("materials")?.map("${primitive["material"]}")?.text("technique"))
             refer(primitive, "indices", "accessors", here)
             refer(primitive, "material", "materials", here)
             val attributes = primitive.map("attributes") ?: continue
             for (name in attributes.keys.toList()) {
                 source.step()
                 refer(attributes, name, "accessors", "$here.attributes")
-                if (name in unnumbered) attributes["${name}_0"] = attributes.remove(name)
+                if (isColorless && name.startsWith(COLOR)) attributes.remove(name)
+                if (name in unnumbered && name in attributes) attributes["${name}_0"] = attributes.remove(name)
             }
         }
+    }
+
+    /** Whether the shader of a technique reads attributes, but no colours of vertices. */
+    private fun isColorless(technique: String?): Boolean = technique != null && colorless.getOrPut(technique) {
+        val parameters = old.map("techniques")?.map(technique)?.map("parameters").orEmpty().values
+        val read = parameters.mapNotNull { (it as? JsonMap)?.text("semantic") }
+        "POSITION" in read && read.none { it.startsWith(COLOR) }
     }
 
     /** Converts a node. A node of version 2.0 has one mesh; additional meshes go to new child nodes. */
@@ -148,7 +158,9 @@ internal class Version1Json private constructor(
         /** The extension that moves the whole model. */
         private const val RTC = "CESIUM_RTC"
 
-        private val unnumbered = setOf("COLOR", "TEXCOORD")
+        private const val COLOR = "COLOR"
+
+        private val unnumbered = setOf(COLOR, "TEXCOORD")
 
         /** Whether [tree] is of version 1.0, or has no version number but the structure of version 1.0. */
         fun isVersion1(tree: JsonMap): Boolean {

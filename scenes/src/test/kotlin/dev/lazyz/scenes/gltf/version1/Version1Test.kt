@@ -16,6 +16,8 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.util.Base64
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
@@ -97,6 +99,19 @@ class Version1Test {
         val green = material("""{"extensions":{"KHR_materials_common":{$common}}}""")
         assertEquals(Rgba(0f, 1f, 0f, 0.5f), green.baseColor)
         assertEquals(Sides.FRONT to AlphaMode.BLEND, green.sides to green.alphaMode)
+    }
+
+    @Test
+    fun coloursThatNoShaderReadsAreNotShown() {
+        fun colors(parameters: String): FloatArray? {
+            val text = json().replace("\"parameters\":{", "\"parameters\":{$parameters")
+                .replace("\"TEXCOORD_0\":\"u\"", "\"COLOR\":\"p\"")
+            return GltfParser.parse(TestSources.of(text)).meshes[0].colors
+        }
+        val position = """"position":{"semantic":"POSITION"},"""
+        assertNotNull(colors(""))
+        assertNotNull(colors("""$position"tint":{"semantic":"COLOR_0"},"""))
+        assertNull(colors(position))
     }
 
     @Test
