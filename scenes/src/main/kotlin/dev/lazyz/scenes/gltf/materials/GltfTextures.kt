@@ -29,7 +29,7 @@ internal class GltfTextures(private val document: GltfDocument) {
     fun texture(index: Int?, encoding: Texture.Encoding, where: String): Texture? =
         textures.getOrPut(index to encoding) { read(index, where)?.withEncoding(encoding) }
 
-    /** Returns a texture whose green component is 1 - [factor] times the alpha of [glossiness], and whose blue one is 1. */
+    /** Returns a texture with green 1 - [factor] times the alpha of [glossiness], and blue 1. */
     fun roughness(glossiness: Texture, factor: Float): Texture = roughness.getOrPut(glossiness to factor) {
         val (width, height) = glossiness.width to glossiness.height
         document.source.loading.texels(document.source, width.toLong() * height)
