@@ -31,6 +31,7 @@ import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 /**
  * Pictures of the usual kind compared with those of [SlowRenderer]. Errors are in codes of 0..255: the mean of all
@@ -110,6 +111,7 @@ class SlowRendererTest {
 
     /** One sample a pixel, so nothing is left but rounding. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun lightsAreThoseOfTheSpecification() {
         val lights = listOf(
             sun,
@@ -126,6 +128,7 @@ class SlowRendererTest {
 
     /** A coloured reflection takes its own part from each colour of the diffuse light, not the largest from all. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun lobesAreThoseOfTheSpecifications() {
         val lobes = listOf(
             Lobes(Lobes.Specular(0.7f, Rgba.WHITE, 2.2f)), Lobes(clearcoat = Lobes.Clearcoat(0.8f, 0.3f)),
@@ -150,6 +153,7 @@ class SlowRendererTest {
 
     /** A matt surface receives the first nine harmonics of the light; a black one shows the reflection above it. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun mattSurfacesReflectTheStudio() {
         for (eye in listOf(Vector3d(0.0, 0.0, 5.0), Vector3d(3.0, 1.0, 4.0))) {
             compare("matt", studio(eye, listOf(0, 3, 6)), 1, Tolerance(2.0, 6.0))
@@ -159,6 +163,7 @@ class SlowRendererTest {
 
     /** Light that is blurred by roughness has a simple form, and is the same from all sides of a reflected ray. */
     @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun metalsReflectTheStudio() {
         compare("metals", studio(Vector3d(3.0, 1.0, 4.0), listOf(2, 5, 8)), 1, Tolerance(9.0, 35.0))
     }
