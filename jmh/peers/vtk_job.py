@@ -1,4 +1,4 @@
-"""Does whole jobs with VTK, from a mesh file to a PNG file of 512 x 512 samples, in one process.
+"""Does whole jobs with VTK, from a mesh file to a PNG file, in one process.
 
     vtk_job.py
 
@@ -14,11 +14,10 @@ import time
 
 import vtk
 
-SIDE = 512
 READERS = {".obj": vtk.vtkOBJReader, ".ply": vtk.vtkPLYReader, ".stl": vtk.vtkSTLReader}
 
 
-def job(file, picture):
+def job(file, side, samples, picture):
     start = time.perf_counter()
     reader = READERS[os.path.splitext(file)[1].lower()]()
     reader.SetFileName(file)
@@ -37,8 +36,8 @@ def job(file, picture):
     renderer.AddActor(actor)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(SIDE, SIDE)
+    window.SetMultiSamples(samples if samples > 1 else 0)
+    window.SetSize(side, side)
     window.AddRenderer(renderer)
     window.Render()
     image = vtk.vtkWindowToImageFilter()
@@ -52,11 +51,11 @@ def job(file, picture):
     return 1e3 * (loaded - start), 1e3 * (time.perf_counter() - loaded)
 
 
-def measure(seconds, file, picture):
+def measure(seconds, *request):
     jobs = []
     end = time.perf_counter() + seconds
     while not jobs or time.perf_counter() < end:
-        done = job(file, picture)
+        done = job(*request)
         if done is None:
             return "0 0 0 0"
         jobs.append(done)
@@ -68,8 +67,9 @@ def main():
     vtk.vtkObject.GlobalWarningDisplayOff()
     with tempfile.TemporaryDirectory() as folder:
         for line in sys.stdin:
-            seconds, file = line.rstrip("\n").split(" ", 1)
-            print(measure(float(seconds), file, os.path.join(folder, "job.png")), flush=True)
+            seconds, side, samples, file = line.rstrip("\n").split(" ", 3)
+            picture = os.path.join(folder, "job.png")
+            print(measure(float(seconds), file, int(side), int(samples), picture), flush=True)
 
 
 main()

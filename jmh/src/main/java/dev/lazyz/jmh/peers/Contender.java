@@ -16,9 +16,6 @@ import java.util.stream.IntStream;
  * @param command its command line, without options
  */
 record Contender(String name, Kind kind, List<String> command) {
-    /** Ends the name of one that shades once a pixel. */
-    static final String PIXELS = " once a pixel";
-
     /** Kinds of programs. */
     enum Kind {
         /** {@code llvmpipe.c}. */
@@ -48,13 +45,6 @@ record Contender(String name, Kind kind, List<String> command) {
         }
         List<String> command = Arrays.asList(text.substring(at + 1).trim().split(" +"));
         return new Contender(text.substring(0, at), kind, command);
-    }
-
-    /** Returns Lazy Z that shades a primitive once a pixel and not once a sample, as OpenGL does. */
-    Contender shadingPixels() {
-        List<String> words = new ArrayList<>(command);
-        words.addAll(List.of("--rate", "pixel"));
-        return new Contender(name + PIXELS, kind, words);
     }
 
     /** Whether this program can draw the triangles with this number of threads. */

@@ -1,31 +1,30 @@
 package dev.lazyz.jmh.peers;
 
-import dev.lazyz.Frame;
 import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
+import dev.lazyz.scenes.LoadLimits;
+import dev.lazyz.scenes.LoadedScene;
 import dev.lazyz.scenes.Scenes;
-import dev.lazyz.scenes.writers.AlphaChannel;
+import dev.lazyz.scenes.pictures.PictureFrame;
+import dev.lazyz.scenes.pictures.PictureParameters;
+import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.scenes.writers.ImageFiles;
 import dev.lazyz.scenes.writers.ImageFormat;
 import dev.lazyz.strategies.tiled.TiledRenderer;
-import dev.lazyz.world.Scene;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
 
 /**
- * Performs whole jobs, from a mesh file to a PNG file of 512 x 512 samples, repeatedly in one process. Each line of
- * standard input is a request: {@code SECONDS FILE}. The response is a line on standard output: the number of jobs,
- * the time of the shortest in milliseconds, and its times for loading and for rendering with writing.
- * {@code vtk_job.py} uses the same protocol.
+ * Performs whole jobs, from a mesh file to the PNG file that {@code zcli render} makes of it, repeatedly in one
+ * process. Each line of standard input is a request: {@code SECONDS SIDE SAMPLES FILE}, with 1, 4 or 16 samples a
+ * pixel. The response is a line on standard output: the number of jobs, the time of the shortest in milliseconds, and
+ * its times for loading and for rendering with writing. {@code vtk_job.py} uses the same protocol.
  */
 public final class JobRun {
-    private static final int SIDE = 512;
     private static final double NANOSECONDS = 1e6;
 
     private final Renderer renderer = new TiledRenderer(new RenderOptions());
@@ -35,50 +34,58 @@ public final class JobRun {
         this.picture = picture;
     }
 
-    /** No arguments. */
+    /** One argument: where the last picture stays, or none. */
     public static void main(String[] args) throws InterruptedException, IOException {
-        Path picture = Files.createTempFile("lazyz-job-", ".png");
+        Path picture = args.length > 0 ? Path.of(args[0]) : Files.createTempFile("lazyz-job-", ".png");
         try {
             JobRun run = new JobRun(picture);
             BufferedReader lines = new BufferedReader(new InputStreamReader(System.in));
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                int at = line.indexOf(' ');
-                System.out.println(
-                        run.measure(Double.parseDouble(line.substring(0, at)), Path.of(line.substring(at + 1))));
+                String[] words = line.split(" ", 4);
+                int side = Integer.parseInt(words[1]);
+                PictureSettings settings = new PictureSettings(side, side)
+                        .with(PictureParameters.AA, (int) Math.sqrt(Integer.parseInt(words[2])));
+                System.out.println(run.measure(Double.parseDouble(words[0]), settings, Path.of(words[3])));
             }
         } finally {
-            Files.deleteIfExists(picture);
+            if (args.length == 0) {
+                Files.deleteIfExists(picture);
+            }
         }
     }
 
-    private String measure(double seconds, Path file) throws InterruptedException, IOException {
-        List<long[]> jobs = new ArrayList<>();
+    private String measure(double seconds, PictureSettings settings, Path file)
+            throws InterruptedException, IOException {
+        int count = 0;
+        long[] best = {Long.MAX_VALUE / 2, 0};
         long end = System.nanoTime() + (long) (seconds * 1e9);
         do {
-            jobs.add(job(file));
+            long[] job = job(settings, file);
+            best = job[0] + job[1] < best[0] + best[1] ? job : best;
+            count++;
         } while (System.nanoTime() < end);
-        long[] best = jobs.get(0);
-        for (long[] job : jobs) {
-            if (job[0] + job[1] < best[0] + best[1]) {
-                best = job;
-            }
-        }
         return String.format(
                 Locale.ROOT,
                 "%d %.3f %.3f %.3f",
-                jobs.size(),
+                count,
                 (best[0] + best[1]) / NANOSECONDS,
                 best[0] / NANOSECONDS,
                 best[1] / NANOSECONDS);
     }
 
     /** Performs one job, and returns the times of loading and of rendering with writing, nanoseconds. */
-    private long[] job(Path file) throws InterruptedException, IOException {
+    private long[] job(PictureSettings settings, Path file) throws InterruptedException, IOException {
         long start = System.nanoTime();
-        Scene scene = Scenes.load(file).getScene();
+        LoadedScene scene = Scenes.load(file, settings.loadOptions(new LoadLimits()));
         long loaded = System.nanoTime();
-        Frame frame = scene.frame(SIDE, SIDE);
-        ImageFiles.write(picture, SIDE, SIDE, ImageFormat.PNG, AlphaChannel.DROP, sink -> renderer.render(frame, sink));
+        PictureFrame frame = settings.frame(scene);
+        ImageFiles.write(
+                picture,
+                frame.getPixels().getWidth(),
+                frame.getPixels().getHeight(),
+                ImageFormat.PNG,
+                frame.getAlpha(),
+                sink -> frame.render(renderer, sink));
         return new long[] {loaded - start, System.nanoTime() - loaded};
     }
 }

@@ -11,6 +11,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.function.Function;
 import java.util.function.Predicate;
 
 /**
@@ -65,6 +66,7 @@ public final class PeerPage {
             case "summary" -> summary();
             case "meshes" -> meshes();
             case "starts" -> starts();
+            case "lit" -> lit();
             case "jobs" -> Jobs.table(jobs);
             default -> throw new IllegalArgumentException("no table '" + name + "'");
         };
@@ -93,14 +95,31 @@ public final class PeerPage {
 
     /** Returns the times of scenes with one thread. */
     private String summary() {
+        return times(
+                subjects.stream().filter(isScene(1)).toList(),
+                OURS,
+                subject -> CONTENTS.getOrDefault(subject.scene(), subject.scene()));
+    }
+
+    /** Returns the times of lit mesh files, by default and with one sample a pixel, on all JVMs. */
+    private String lit() {
+        return times(
+                subjects.stream().filter(PeerPage::isLit).toList(),
+                results.programs(SideBySide.TIME).stream()
+                        .filter(program -> program.startsWith("JDK"))
+                        .toList(),
+                subject -> subject.scene() + (subject.samples() > 1 ? ", 16 samples, llvmpipe 4" : ", 1 sample"));
+    }
+
+    /** Returns the times of pictures, and how many times as fast as the base our programs are. */
+    private String times(List<PeerScene> shown, List<String> programs, Function<PeerScene, String> label) {
         List<String> head = new ArrayList<>(List.of(SIDE + " x " + SIDE + ", 1 thread", SideBySide.BASE + ", ms"));
-        OURS.forEach(program -> head.addAll(List.of(program + ", ms", "times as fast")));
+        programs.forEach(program -> head.addAll(List.of(program + ", ms", "times as fast")));
         List<List<String>> rows = new ArrayList<>();
-        for (PeerScene subject : subjects.stream().filter(isScene(1)).toList()) {
-            List<String> row = new ArrayList<>(List.of(
-                    CONTENTS.getOrDefault(subject.scene(), subject.scene()),
-                    GeneratedPage.time(time(subject, SideBySide.BASE))));
-            OURS.forEach(program -> row.addAll(
+        for (PeerScene subject : shown) {
+            List<String> row = new ArrayList<>(
+                    List.of(label.apply(subject), GeneratedPage.time(time(subject, SideBySide.BASE))));
+            programs.forEach(program -> row.addAll(
                     List.of(GeneratedPage.time(time(subject, program)), GeneratedPage.ratio(ratio(subject, program)))));
             rows.add(row);
         }

@@ -63,7 +63,7 @@ public final class PeerRun {
                 new SuperSampling(
                         Integer.parseInt(options.get("samples", "1")),
                         PixelFilter.BOX,
-                        ShadingRate.valueOf(options.get("rate", "sample").toUpperCase(Locale.ROOT))),
+                        ShadingRate.valueOf(options.get("rate", "auto").toUpperCase(Locale.ROOT))),
                 Integer.parseInt(options.get("side", "1024")),
                 found.configured(new RenderOptions().withThreads(threads)));
         String picture = options.get("picture", "");

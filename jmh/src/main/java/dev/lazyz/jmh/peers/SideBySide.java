@@ -30,7 +30,7 @@ import kotlinx.serialization.json.JsonObject;
  *
  * <p>All of this is done with the first raster. Further rasters, and mesh files, are measured once, with Lazy Z and
  * llvmpipe on one thread, because everything would take more than a day. So are lit scenes, with one sample a pixel and
- * with {@value #SAMPLES} x {@value #SAMPLES}, shaded once a sample and, as llvmpipe does it, once a pixel.
+ * with {@value #SAMPLES} x {@value #SAMPLES}, or 4 for llvmpipe, which has no more.
  *
  * <p>With {@code --keep}, the file of results exists already, and results of other scenes and of whole processes are
  * kept.
@@ -164,9 +164,6 @@ public final class SideBySide {
             for (Contender contender : contenders) {
                 if (contender.isOursOrBase() && canDraw(contender, scene, 1)) {
                     measure(contender, scene, side, SAMPLES, 1, 1);
-                }
-                if (contender.kind() == Contender.Kind.OURS) {
-                    measure(contender.shadingPixels(), scene, side, SAMPLES, 1, 1);
                 }
             }
             results.write(file);
