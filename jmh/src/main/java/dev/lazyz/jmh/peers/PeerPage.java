@@ -6,13 +6,14 @@ import dev.lazyz.jmh.report.Measurements;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 /**
  * Writes the tables of {@code docs/performance.md} and its charts from the results of {@link SideBySide} and {@link
@@ -101,14 +102,46 @@ public final class PeerPage {
                 subject -> CONTENTS.getOrDefault(subject.scene(), subject.scene()));
     }
 
-    /** Returns the times of lit mesh files, by default and with one sample a pixel, on all JVMs. */
+    /** Returns the times of lit mesh files, by default and with one sample a pixel, and how they differ. */
     private String lit() {
-        return times(
-                subjects.stream().filter(PeerPage::isLit).toList(),
-                results.programs(SideBySide.TIME).stream()
-                        .filter(program -> program.startsWith("JDK"))
-                        .toList(),
-                subject -> subject.scene() + (subject.samples() > 1 ? ", 16 samples, llvmpipe 4" : ", 1 sample"));
+        List<PeerScene> shown = subjects.stream().filter(PeerPage::isLit).toList();
+        StringBuilder text = new StringBuilder(times(
+                shown,
+                OURS,
+                subject -> subject.scene() + (subject.samples() > 1 ? ", 16 samples, llvmpipe 4" : ", 1 sample")));
+        for (String program : results.programs(SideBySide.TIME)) {
+            text.append(range(
+                    program + ": 16 samples take ",
+                    shown.stream()
+                            .filter(subject -> subject.samples() > 1)
+                            .map(subject -> times(program, subject, new PeerScene(subject.scene(), SIDE, 1, 1))),
+                    " times as long as one"));
+        }
+        return text.toString();
+    }
+
+    /** Returns how many times as long a picture takes as another one. */
+    private OptionalDouble times(String program, PeerScene picture, PeerScene other) {
+        OptionalDouble longer = time(picture, program);
+        OptionalDouble shorter = time(other, program);
+        return longer.isPresent() && shorter.isPresent()
+                ? OptionalDouble.of(longer.getAsDouble() / shorter.getAsDouble())
+                : OptionalDouble.empty();
+    }
+
+    /** Returns a line about the least, the greatest and the middle one of some ratios; nothing if there are none. */
+    private static String range(String before, Stream<OptionalDouble> ratios, String after) {
+        double[] known = ratios.flatMapToDouble(OptionalDouble::stream).sorted().toArray();
+        return known.length == 0
+                ? ""
+                : String.format(
+                        Locale.ROOT,
+                        "- %s%.2f to %.2f%s, %.2f in the median.%n",
+                        before,
+                        known[0],
+                        known[known.length - 1],
+                        after,
+                        Measurements.median(known).getAsDouble());
     }
 
     /** Returns the times of pictures, and how many times as fast as the base our programs are. */
@@ -130,24 +163,19 @@ public final class PeerPage {
     private String meshes() {
         StringBuilder text = new StringBuilder();
         for (String program : OURS) {
-            double[] ratios = subjects.stream()
+            List<OptionalDouble> ratios = subjects.stream()
                     .filter(PeerPage::isMesh)
                     .map(subject -> ratio(subject, program))
                     .filter(OptionalDouble::isPresent)
-                    .mapToDouble(OptionalDouble::getAsDouble)
-                    .sorted()
-                    .toArray();
-            if (ratios.length > 0) {
-                text.append(String.format(
-                        "- %s: faster than %s in %d of %d pictures of mesh files, %s to %s times as fast, %s in the median.%n",
-                        program,
-                        SideBySide.BASE,
-                        Arrays.stream(ratios).filter(ratio -> ratio > 1).count(),
-                        ratios.length,
-                        GeneratedPage.number("%.2f", OptionalDouble.of(ratios[0])),
-                        GeneratedPage.number("%.2f", OptionalDouble.of(ratios[ratios.length - 1])),
-                        GeneratedPage.number("%.2f", Measurements.median(ratios))));
-            }
+                    .toList();
+            long faster = ratios.stream()
+                    .filter(ratio -> ratio.getAsDouble() > 1)
+                    .count();
+            text.append(range(
+                    program + ": faster than " + SideBySide.BASE + " in " + faster + " of " + ratios.size()
+                            + " pictures of mesh files, ",
+                    ratios.stream(),
+                    " times as fast"));
         }
         return text.toString();
     }
