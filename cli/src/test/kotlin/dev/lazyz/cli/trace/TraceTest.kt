@@ -115,7 +115,11 @@ class TraceTest {
         trace(file("none.obj"), "a.gif").mistake("none.obj")
         trace("city", "a.gif", "--strategy", "lazy", "--tile-size", "16").mistake("--tile-size")
         zcli("trace", "city").mistake("-o")
+    }
 
+    @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    fun filmsOfTooManyCallsAreRefused() {
         // With 1000 steps both are too many: the film is refused before the calls are recorded
         val large = arrayOf("--size", "6000x6000", "--shading", "constant", "--strategy", "zbuffer")
         trace("layers", "a.png", *large).mistake("more than 16,777,216 shading calls")
