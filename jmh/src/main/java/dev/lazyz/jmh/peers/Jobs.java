@@ -12,9 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
 
 /**
  * Measures whole jobs, from mesh file to PNG file, of Lazy Z and of VTK, in warm processes that run alternately on the
@@ -80,35 +78,33 @@ public final class Jobs {
         results.write(Path.of(options.get("results", "jobs.csv")));
     }
 
-    /** Returns the tables of whole jobs: as both make pictures by default, and with one sample a pixel. */
+    /** Returns the table of default pictures of the first of our programs, and a line for each of the others. */
     static String table(Measurements results) {
-        return table(results, SAMPLES) + "\n" + table(results, ONE_SAMPLE) + "\n" + GeneratedPage.source(results);
-    }
-
-    private static String table(Measurements results, String samples) {
-        Map<Boolean, List<String>> programs = results.programs(TOTAL).stream()
-                .filter(program -> program.endsWith(samples))
-                .collect(Collectors.partitioningBy(program -> program.startsWith(VTK)));
-        if (programs.get(true).isEmpty()) {
-            return "";
-        }
-        String vtk = programs.get(true).get(0);
-        List<String> head = new ArrayList<>(List.of("file; pixels", vtk + ", ms"));
-        for (String ours : programs.get(false)) {
-            head.addAll(List.of(ours + ", ms (of this, loading)", "times as fast"));
-        }
+        String vtk = VTK + ": 4" + SAMPLES;
         List<List<String>> rows = new ArrayList<>();
+        List<String> ours = results.programs(TOTAL).stream()
+                .filter(program -> !program.startsWith(VTK))
+                .toList();
+        String first = ours.isEmpty() ? "" : ours.get(0);
         for (String subject : results.subjects(TOTAL)) {
-            List<String> row =
-                    new ArrayList<>(List.of(subject, GeneratedPage.time(results.median(TOTAL, subject, vtk))));
-            for (String ours : programs.get(false)) {
-                row.add(GeneratedPage.time(results.median(TOTAL, subject, ours)) + " ("
-                        + GeneratedPage.time(results.median(LOAD, subject, ours)) + ")");
-                row.add(GeneratedPage.ratio(Measurements.median(results.ratios(TOTAL, subject, ours, vtk))));
-            }
-            rows.add(row);
+            rows.add(List.of(
+                    subject,
+                    GeneratedPage.time(results.median(TOTAL, subject, vtk)),
+                    GeneratedPage.time(results.median(TOTAL, subject, first)) + " ("
+                            + GeneratedPage.time(results.median(LOAD, subject, first)) + ")",
+                    GeneratedPage.ratio(Measurements.median(results.ratios(TOTAL, subject, first, vtk)))));
         }
-        return GeneratedPage.table(head, rows);
+        List<String> head = List.of("file; pixels", vtk + ", ms", first + ", ms (of this, loading)", "times as fast");
+        StringBuilder text = new StringBuilder(GeneratedPage.table(head, rows)).append('\n');
+        for (String program : ours.subList(Math.min(1, ours.size()), ours.size())) {
+            String peer = program.endsWith(ONE_SAMPLE) ? VTK + ONE_SAMPLE : vtk;
+            text.append(PeerPage.range(
+                    program + ": ",
+                    results.subjects(TOTAL).stream()
+                            .map(subject -> Measurements.median(results.ratios(TOTAL, subject, program, peer))),
+                    " times as fast as " + peer));
+        }
+        return text.append('\n').append(GeneratedPage.source(results)).toString();
     }
 
     /** A process that performs jobs on request. */

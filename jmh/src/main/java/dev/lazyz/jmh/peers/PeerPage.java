@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 
@@ -67,7 +66,6 @@ public final class PeerPage {
             case "summary" -> summary();
             case "meshes" -> meshes();
             case "starts" -> starts();
-            case "lit" -> lit();
             case "jobs" -> Jobs.table(jobs);
             default -> throw new IllegalArgumentException("no table '" + name + "'");
         };
@@ -96,41 +94,22 @@ public final class PeerPage {
 
     /** Returns the times of scenes with one thread. */
     private String summary() {
-        return times(
-                subjects.stream().filter(isScene(1)).toList(),
-                OURS,
-                subject -> CONTENTS.getOrDefault(subject.scene(), subject.scene()));
-    }
-
-    /** Returns the times of lit mesh files, by default and with one sample a pixel, and how they differ. */
-    private String lit() {
-        List<PeerScene> shown = subjects.stream().filter(PeerPage::isLit).toList();
-        StringBuilder text = new StringBuilder(times(
-                shown,
-                OURS,
-                subject -> subject.scene() + (subject.samples() > 1 ? ", 16 samples, llvmpipe 4" : ", 1 sample")));
-        for (String program : results.programs(SideBySide.TIME)) {
-            text.append(range(
-                    program + ": 16 samples take ",
-                    shown.stream()
-                            .filter(subject -> subject.samples() > 1)
-                            .map(subject -> times(program, subject, new PeerScene(subject.scene(), SIDE, 1, 1))),
-                    " times as long as one"));
+        List<String> head = new ArrayList<>(List.of(SIDE + " x " + SIDE + ", 1 thread", SideBySide.BASE + ", ms"));
+        OURS.forEach(program -> head.addAll(List.of(program + ", ms", "times as fast")));
+        List<List<String>> rows = new ArrayList<>();
+        for (PeerScene subject : subjects.stream().filter(isScene(1)).toList()) {
+            List<String> row = new ArrayList<>(List.of(
+                    CONTENTS.getOrDefault(subject.scene(), subject.scene()),
+                    GeneratedPage.time(time(subject, SideBySide.BASE))));
+            OURS.forEach(program -> row.addAll(
+                    List.of(GeneratedPage.time(time(subject, program)), GeneratedPage.ratio(ratio(subject, program)))));
+            rows.add(row);
         }
-        return text.toString();
-    }
-
-    /** Returns how many times as long a picture takes as another one. */
-    private OptionalDouble times(String program, PeerScene picture, PeerScene other) {
-        OptionalDouble longer = time(picture, program);
-        OptionalDouble shorter = time(other, program);
-        return longer.isPresent() && shorter.isPresent()
-                ? OptionalDouble.of(longer.getAsDouble() / shorter.getAsDouble())
-                : OptionalDouble.empty();
+        return GeneratedPage.table(head, rows) + "\n" + GeneratedPage.source(results);
     }
 
     /** Returns a line about the least, the greatest and the middle one of some ratios; nothing if there are none. */
-    private static String range(String before, Stream<OptionalDouble> ratios, String after) {
+    static String range(String before, Stream<OptionalDouble> ratios, String after) {
         double[] known = ratios.flatMapToDouble(OptionalDouble::stream).sorted().toArray();
         return known.length == 0
                 ? ""
@@ -144,21 +123,6 @@ public final class PeerPage {
                         Measurements.median(known).getAsDouble());
     }
 
-    /** Returns the times of pictures, and how many times as fast as the base our programs are. */
-    private String times(List<PeerScene> shown, List<String> programs, Function<PeerScene, String> label) {
-        List<String> head = new ArrayList<>(List.of(SIDE + " x " + SIDE + ", 1 thread", SideBySide.BASE + ", ms"));
-        programs.forEach(program -> head.addAll(List.of(program + ", ms", "times as fast")));
-        List<List<String>> rows = new ArrayList<>();
-        for (PeerScene subject : shown) {
-            List<String> row = new ArrayList<>(
-                    List.of(label.apply(subject), GeneratedPage.time(time(subject, SideBySide.BASE))));
-            programs.forEach(program -> row.addAll(
-                    List.of(GeneratedPage.time(time(subject, program)), GeneratedPage.ratio(ratio(subject, program)))));
-            rows.add(row);
-        }
-        return GeneratedPage.table(head, rows) + "\n" + GeneratedPage.source(results);
-    }
-
     /** Returns sentences about all pictures of mesh files. */
     private String meshes() {
         StringBuilder text = new StringBuilder();
@@ -168,9 +132,8 @@ public final class PeerPage {
                     .map(subject -> ratio(subject, program))
                     .filter(OptionalDouble::isPresent)
                     .toList();
-            long faster = ratios.stream()
-                    .filter(ratio -> ratio.getAsDouble() > 1)
-                    .count();
+            long faster =
+                    ratios.stream().filter(ratio -> ratio.getAsDouble() > 1).count();
             text.append(range(
                     program + ": faster than " + SideBySide.BASE + " in " + faster + " of " + ratios.size()
                             + " pictures of mesh files, ",
