@@ -17,7 +17,7 @@ internal class AnisotropicLighting(
     private val viewer: Viewer,
     private val sources: LightSources,
     private val visibility: AmbientVisibility?,
-    private val round: PhysicalLighting,
+    private val base: PhysicalLighting,
 ) {
     /** As [PhysicalLighting.illuminate], for a surface with the directions of [PhysicalSurface.ALONG]. */
     fun illuminate(
@@ -36,7 +36,7 @@ internal class AnisotropicLighting(
         val open = if (visibility == null) 1f else visibility.at(px, py, pz, nx, ny, nz)
         bent(surface, nx, ny, nz, vx, vy, vz) { bx, by, bz ->
             val along = bx * vx + by * vy + bz * vz
-            round.indirect(
+            base.indirect(
                 surface, occlusion, open, nx, ny, nz, 2f * along * bx - vx, 2f * along * by - vy,
                 2f * along * bz - vz, cosine, out,
             )
@@ -59,36 +59,18 @@ internal class AnisotropicLighting(
     ) {
         // Highlights are as narrow as those of the material across the direction, and wider along it
         val across = Microfacets.alpha(surface[PhysicalSurface.ROUGHNESS])
-        val strength = surface[PhysicalSurface.ANISOTROPY]
-        val along = across + (1f - across) * (strength * strength)
+        val anisotropy = surface[PhysicalSurface.ANISOTROPY]
+        val along = across + (1f - across) * (anisotropy * anisotropy)
         val shadowV = shadow(surface, vx, vy, vz, cosineV, along, across)
-        for (light in 0 until sources.count) {
-            sources.from(light, px, py, pz) { lx, ly, lz, power ->
-                val cosineL = nx * lx + ny * ly + nz * lz
-                if (!(cosineL > 0f)) return@from
-                var hx = lx + vx
-                var hy = ly + vy
-                var hz = lz + vz
-                val length = sqrt(hx * hx + hy * hy + hz * hz)
-                hx /= length
-                hy /= length
-                hz /= length
-                val cosineH = nx * hx + ny * hy + nz * hz
-                val lobe = if (cosineH > 0f) {
-                    distribution(surface, hx, hy, hz, cosineH, along, across) /
-                        (shadow(surface, lx, ly, lz, cosineL, along, across) * shadowV)
-                } else {
-                    0f
-                }
-                val grazing = Microfacets.grazing(abs(vx * hx + vy * hy + vz * hz))
-                for (channel in 0 until 3) {
-                    val reflected = PhysicalLighting.reflected(
-                        surface[PhysicalSurface.REFLECTANCE + channel], surface[PhysicalSurface.DIFFUSE + channel],
-                        grazing, lobe, surface[PhysicalSurface.GRAZING],
-                    )
-                    out[channel] += sources.color(light, channel) * power * cosineL * reflected
-                }
+        sources.halfway(px, py, pz, nx, ny, nz, vx, vy, vz) { light, strength, cosineL, lx, ly, lz, hx, hy, hz ->
+            val cosineH = nx * hx + ny * hy + nz * hz
+            val lobe = if (cosineH > 0f) {
+                distribution(surface, hx, hy, hz, cosineH, along, across) /
+                    (shadow(surface, lx, ly, lz, cosineL, along, across) * shadowV)
+            } else {
+                0f
             }
+            base.addReflected(surface, light, strength, cosineL, vx * hx + vy * hy + vz * hz, lobe, out)
         }
     }
 

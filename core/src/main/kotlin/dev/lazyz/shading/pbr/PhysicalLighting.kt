@@ -65,17 +65,33 @@ internal class PhysicalLighting(
     ) {
         val alpha = Microfacets.alpha(surface[PhysicalSurface.ROUGHNESS])
         val a2 = alpha * alpha
-        val f90 = surface[PhysicalSurface.GRAZING]
         sources.inFront(px, py, pz, nx, ny, nz, vx, vy, vz) { light, strength, cosineL, cosineH, sineSquare, cosineVH ->
-            val grazing = Microfacets.grazing(abs(cosineVH))
-
-            // A light of colour 1 makes a matt white surface white, so pi is in D, and not in the diffuse part
             val lobe = Microfacets.lobe(cosineH, sineSquare, cosineL, cosineV, a2)
-            for (channel in 0 until 3) {
-                val f0 = surface[PhysicalSurface.REFLECTANCE + channel]
-                val reflected = reflected(f0, surface[PhysicalSurface.DIFFUSE + channel], grazing, lobe, f90)
-                out[channel] += sources.color(light, channel) * strength * cosineL * reflected
-            }
+            addReflected(surface, light, strength, cosineL, cosineVH, lobe, out)
+        }
+    }
+
+    /**
+     * Adds what the surface reflects of number [light] of the lights, see [LightSources.inFront].
+     *
+     * @param lobe the product D * V. A light of colour 1 makes a matt white surface white, so pi is in D, and not in
+     *   the diffuse part
+     */
+    fun addReflected(
+        surface: FloatArray,
+        light: Int,
+        strength: Float,
+        cosineL: Float,
+        cosineVH: Float,
+        lobe: Float,
+        out: FloatArray,
+    ) {
+        val grazing = Microfacets.grazing(abs(cosineVH))
+        val f90 = surface[PhysicalSurface.GRAZING]
+        for (channel in 0 until 3) {
+            val f0 = surface[PhysicalSurface.REFLECTANCE + channel]
+            val reflected = reflected(f0, surface[PhysicalSurface.DIFFUSE + channel], grazing, lobe, f90)
+            out[channel] += sources.color(light, channel) * strength * cosineL * reflected
         }
     }
 
@@ -215,6 +231,29 @@ internal inline fun LightSources.inFront(
     use: (
         light: Int, strength: Float, cosineL: Float, cosineH: Float, sineSquare: Float, cosineVH: Float,
     ) -> Unit,
+) = halfway(px, py, pz, nx, ny, nz, vx, vy, vz) { light, strength, cosineL, _, _, _, hx, hy, hz ->
+    val cosineH = nx * hx + ny * hy + nz * hz
+    val cx = ny * hz - nz * hy
+    val cy = nz * hx - nx * hz
+    val cz = nx * hy - ny * hx
+    use(light, strength, cosineL, cosineH, cx * cx + cy * cy + cz * cz, vx * hx + vy * hy + vz * hz)
+}
+
+/** As [inFront], but passes N.L and the vectors L and H. */
+internal inline fun LightSources.halfway(
+    px: Float,
+    py: Float,
+    pz: Float,
+    nx: Float,
+    ny: Float,
+    nz: Float,
+    vx: Float,
+    vy: Float,
+    vz: Float,
+    use: (
+        light: Int, strength: Float, cosineL: Float,
+        lx: Float, ly: Float, lz: Float, hx: Float, hy: Float, hz: Float,
+    ) -> Unit,
 ) {
     for (light in 0 until count) {
         from(light, px, py, pz) { lx, ly, lz, strength ->
@@ -227,11 +266,7 @@ internal inline fun LightSources.inFront(
             hx /= length
             hy /= length
             hz /= length
-            val cosineH = nx * hx + ny * hy + nz * hz
-            val cx = ny * hz - nz * hy
-            val cy = nz * hx - nx * hz
-            val cz = nx * hy - ny * hx
-            use(light, strength, cosineL, cosineH, cx * cx + cy * cy + cz * cz, vx * hx + vy * hy + vz * hz)
+            use(light, strength, cosineL, lx, ly, lz, hx, hy, hz)
         }
     }
 }
