@@ -4,6 +4,7 @@ import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.document.ImageJson
 import dev.lazyz.scenes.gltf.document.SamplerJson
 import dev.lazyz.scenes.gltf.document.TextureJson
+import dev.lazyz.scenes.images.ChannelPacking
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.world.material.Texture
 
@@ -31,13 +32,8 @@ internal class GltfTextures(private val document: GltfDocument) {
 
     /** Returns a texture with green 1 - [factor] times the alpha of [glossiness], and blue 1. */
     fun roughness(glossiness: Texture, factor: Float): Texture = roughness.getOrPut(glossiness to factor) {
-        val (width, height) = glossiness.width to glossiness.height
-        document.source.loading.texels(document.source, width.toLong() * height)
-        val texels = IntArray(width * height) {
-            val alpha = glossiness.texel(it % width, it / width) ushr 24
-            0xFF shl 24 or ((255 - alpha * factor + 0.5f).toInt() shl 8) or 0xFF
-        }
-        glossiness.run { Texture(width, height, texels, filter, wrapU, wrapV, name, mipFilter, encoding) }
+        document.source.loading.texels(document.source, glossiness.width.toLong() * glossiness.height)
+        ChannelPacking.metallicRoughness(glossiness, null, { (255 - (it ushr 24) * factor + 0.5f).toInt() })!!
     }
 
     private fun read(index: Int?, where: String): Texture? {
