@@ -34,9 +34,9 @@ public final class JobRun {
         this.picture = picture;
     }
 
-    /** One argument: where the last picture stays, or none. */
+    /** No arguments. */
     public static void main(String[] args) throws InterruptedException, IOException {
-        Path picture = args.length > 0 ? Path.of(args[0]) : Files.createTempFile("lazyz-job-", ".png");
+        Path picture = Files.createTempFile("lazyz-job-", ".png");
         try {
             JobRun run = new JobRun(picture);
             BufferedReader lines = new BufferedReader(new InputStreamReader(System.in));
@@ -48,9 +48,7 @@ public final class JobRun {
                 System.out.println(run.measure(Double.parseDouble(words[0]), settings, Path.of(words[3])));
             }
         } finally {
-            if (args.length == 0) {
-                Files.deleteIfExists(picture);
-            }
+            Files.deleteIfExists(picture);
         }
     }
 

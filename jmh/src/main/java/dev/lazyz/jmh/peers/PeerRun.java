@@ -35,7 +35,7 @@ import java.util.Set;
  */
 public final class PeerRun {
     private static final Set<String> OPTIONS =
-            Set.of("scene", "side", "threads", "strategy", "samples", "rate", "warm-up", "measure", "picture");
+            Set.of("scene", "side", "threads", "strategy", "samples", "warm-up", "measure", "picture");
 
     /** Minimum number of measured frames, however long they take. */
     private static final int LEAST_FRAMES = 5;
@@ -60,10 +60,7 @@ public final class PeerRun {
         int threads = Integer.parseInt(options.get("threads", "1"));
         PeerRun run = new PeerRun(
                 TriangleSource.find(options.get("scene", "S1")).scene(),
-                new SuperSampling(
-                        Integer.parseInt(options.get("samples", "1")),
-                        PixelFilter.BOX,
-                        ShadingRate.valueOf(options.get("rate", "auto").toUpperCase(Locale.ROOT))),
+                new SuperSampling(Integer.parseInt(options.get("samples", "1")), PixelFilter.BOX, ShadingRate.AUTO),
                 Integer.parseInt(options.get("side", "1024")),
                 found.configured(new RenderOptions().withThreads(threads)));
         String picture = options.get("picture", "");
