@@ -1,6 +1,5 @@
 package dev.lazyz
 
-import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.ShadingObserver
 import java.util.function.IntPredicate
 
@@ -104,54 +103,102 @@ public class Frame internal constructor(
         return Frame(raster, all, region)
     }
 
+    /**
+     * Returns what is seen at column [x] of row [y]: where a user clicks, for example. Null if it is the background.
+     * Depth and primitive are those of the picture by every renderer without a selector: of translucent primitives, the
+     * nearest is seen. With several samples a pixel, see `SampledFrame.at`.
+     *
+     * Cost: a look at the bounds of each primitive, some nanoseconds, and the spans of those that may be there; no
+     * colours, and no objects for the triangles of meshes. The primitives of a streamed frame are read again. For
+     * thousands of samples use `RaycastRenderer`, and for whole pictures `AovFrame`.
+     *
+     * @throws IllegalArgumentException if the sample is not in [region]
+     * @throws InterruptedException if the calling thread is interrupted
+     */
+    @Throws(InterruptedException::class)
+    public fun at(x: Int, y: Int): SeenPoint? = at(sample(x, y))
+
+    /**
+     * Returns what [renderer] shows at column [x] of row [y], as the other [at]: with a selector, what this selects.
+     * Renders this one sample. Throws like [Renderer.render].
+     */
+    @Throws(InterruptedException::class)
+    public fun at(x: Int, y: Int, renderer: Renderer): SeenPoint? {
+        var point: SeenPoint? = null
+        renderer.render(within(sample(x, y))) { _, _, depth, primitive ->
+            val index = primitive[0]
+            if (index != DepthTest.BACKGROUND) point = SeenPoint(this, x, y, depth[0], index, content.primitive(index))
+        }
+        return point
+    }
+
+    private fun sample(x: Int, y: Int): Region {
+        require(region.contains(x, y)) { "sample must be within $region: ($x, $y)" }
+        return Region(x, y, x + 1, y + 1)
+    }
+
+    /** Returns what is seen at that sample of [area] that wins the depth test; of several, the first in rows. */
+    internal fun at(area: Region): SeenPoint? {
+        val test = raster.depthTest
+        var least = test.key(raster.backgroundDepth, DepthTest.BACKGROUND)
+        var x = 0
+        var y = 0
+        var seen: Primitive? = null
+        val spans = area.spans()
+        content.forEachIn(area) { index, primitive ->
+            for (row in maxOf(primitive.rowStart, area.rowStart) until minOf(primitive.rowEnd, area.rowEnd)) {
+                spans.clear()
+                primitive.spans(row, spans)
+                for (i in 0 until spans.count) {
+                    for (column in spans.start(i) until spans.end(i)) {
+                        val key = test.key(primitive.depth(column, row), index)
+                        if (key >= least) continue
+                        least = key
+                        x = column
+                        y = row
+                        seen = primitive
+                    }
+                }
+            }
+        }
+        return seen?.let { SeenPoint(this, x, y, test.depthOf(least), test.indexOf(least), it) }
+    }
+
     override fun toString(): String = "Frame($raster, $region, ${content.size} primitives)"
 }
 
-/** What a frame knows about the scene that it was set up from. Immutable and thread safe. */
-internal interface FrameView {
-    /** [distance] at the near plane. */
-    val near: Double
-
-    /** [distance] at the far plane. */
-    val far: Double
-
-    /** The point, in world space, that [Fragment.worldX], [Fragment.worldY] and [Fragment.worldZ] are relative to. */
-    val originX: Double
-    val originY: Double
-    val originZ: Double
-
-    /**
-     * Returns the distance from the eye along the line of sight, world units, of what is at the fraction [unit] of the
-     * range of depths: 0 at the near plane, 1 at the far plane.
-     */
-    fun distance(unit: Double): Double
-
-    /**
-     * Returns the distance from the eye along the line of sight, world units, of a position as [Fragment] has it,
-     * relative to [originX], [originY] and [originZ]. NaN if the frame was not set up from a scene.
-     */
-    fun distance(x: Float, y: Float, z: Float): Double
-
-    /** Returns the number of the surface, in the order of the scene, whose primitive has the submission [index]. */
-    fun objectOf(index: Int): Int
-
-    /** The names of the surfaces, in the order of the scene; empty if the frame was not set up from one. */
-    val objectNames: List<String>
+/** Calls [action] with each primitive that may cover samples of [area], and its submission index. */
+private fun FrameContent.forEachIn(area: Region, action: (index: Int, primitive: Primitive) -> Unit) {
+    parts?.forEach { part ->
+        endIfInterrupted()
+        if (part.reach != null && part.reach.within(area) == null) return@forEach
+        part.content().forEachIn(area) { number, primitive -> action(part.first + number, primitive) }
+    }
+    val read = reader()
+    for (batch in batches) {
+        for (number in 0 until batch.count) {
+            if (Checkpoint.isDue(number)) endIfInterrupted()
+            if (!batch.isDrawn(number) || batch.boundsIn(area, number) == null) continue
+            action(batch.first + number, read(batch.first + number))
+        }
+    }
+    for ((number, primitive) in singles.withIndex()) {
+        endIfInterrupted()
+        val isNear =
+            area.intersect(primitive.columnStart, primitive.rowStart, primitive.columnEnd, primitive.rowEnd) != null
+        if (isNear) action(index(number), primitive)
+    }
 }
 
-/** The view of a frame that was not set up from a scene: distances are fractions, and all primitives are one object. */
-internal object NoView : FrameView {
-    override val near: Double get() = 0.0
-    override val far: Double get() = 1.0
-    override val originX: Double get() = 0.0
-    override val originY: Double get() = 0.0
-    override val originZ: Double get() = 0.0
-
-    override fun distance(unit: Double): Double = unit
-
-    override fun distance(x: Float, y: Float, z: Float): Double = Double.NaN
-
-    override fun objectOf(index: Int): Int = 0
-
-    override val objectNames: List<String> get() = emptyList()
+/**
+ * Checks that the primitives of [frame] are in memory, for a [renderer] that needs them more than once or in another
+ * order. Called before the rendering starts.
+ *
+ * @throws IllegalArgumentException if the frame is streamed, see [Frame.isStreamed]
+ */
+internal fun requireInMemory(frame: Frame, renderer: Renderer) {
+    require(!frame.isStreamed) {
+        "the frame is streamed, and the renderer '${renderer.id}' needs all primitives in memory: " +
+            "use 'tiled', 'zbuffer', 'hybrid' or 'hierarchical', or load the whole model"
+    }
 }

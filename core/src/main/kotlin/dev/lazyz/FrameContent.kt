@@ -40,6 +40,12 @@ internal class FrameContent private constructor(
         (primitives as? AllPrimitives)?.make(checkpoint)
     }
 
+    /** Returns the primitive with submission index [index], without making objects of the others. */
+    fun primitive(index: Int): Primitive {
+        val part = parts?.first { index - it.first in 0 until it.size } ?: return reader()(index)
+        return part.content().primitive(index - part.first)
+    }
+
     /** Returns the single primitive with submission index [index]; there must be one. */
     fun single(index: Int): Primitive =
         singles[if (indices == null) index else java.util.Arrays.binarySearch(indices, index)]
@@ -220,6 +226,9 @@ internal interface PrimitiveBatch {
     /** Whether primitive [number], 0 until [count], is drawn from this batch. */
     fun isDrawn(number: Int): Boolean
 
+    /** Returns what primitive [number] may cover of [region]; null if it is nothing. */
+    fun boundsIn(region: Region, number: Int): Region?
+
     /** Returns a function that returns a primitive of the batch, given its number; for one thread. */
     fun reader(): (number: Int) -> Primitive
 
@@ -280,17 +289,4 @@ internal class FramePart(val first: Int, val size: Int, val reach: Reach?, priva
 internal class Reach(private val left: Int, private val top: Int, private val right: Int, private val bottom: Int) {
     /** Returns the part of [region] that is in this rectangle, or null if there is none. */
     fun within(region: Region): Region? = region.intersect(left, top, right, bottom)
-}
-
-/**
- * Checks that the primitives of [frame] are in memory, for a [renderer] that needs them more than once or in another
- * order. Called before the rendering starts.
- *
- * @throws IllegalArgumentException if the frame is streamed, see [Frame.isStreamed]
- */
-internal fun requireInMemory(frame: Frame, renderer: Renderer) {
-    require(!frame.isStreamed) {
-        "the frame is streamed, and the renderer '${renderer.id}' needs all primitives in memory: " +
-            "use 'tiled', 'zbuffer', 'hybrid' or 'hierarchical', or load the whole model"
-    }
 }

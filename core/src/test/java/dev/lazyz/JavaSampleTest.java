@@ -66,6 +66,19 @@ class JavaSampleTest {
         assertEquals(15, sum);
     }
 
+    @Test
+    void whatIsSeenAtASampleIsKnown() throws InterruptedException {
+        Frame frame = new FrameBuilder(new Raster(5, 3))
+                .polygon(Rgba.BLACK, new double[] {1, 1, 0, 3, 1, 0, 3, 2, 0, 1, 2, 0})
+                .build();
+        SeenPoint point = frame.at(2, 1);
+        assertEquals(0, point.getTriangle());
+        assertEquals(2.5, point.getX());
+        assertEquals("", point.getPart());
+        assertEquals(point.getDepth(), frame.at(2, 1, new ZBufferRenderer()).getDepth());
+        assertEquals(null, frame.at(4, 1));
+    }
+
     /** It does not compile if a method does not declare what it throws. */
     @Test
     void exceptionsOfSinksAreCaught() throws InterruptedException {

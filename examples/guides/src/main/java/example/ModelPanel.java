@@ -1,11 +1,8 @@
 package example;
 
-import dev.lazyz.Image;
 import dev.lazyz.Renderer;
-import dev.lazyz.aov.Aov;
-import dev.lazyz.aov.AovFrame.AovImages;
-import dev.lazyz.aov.AovFrame;
-import dev.lazyz.aov.AovImage;
+import dev.lazyz.SeenPoint;
+import dev.lazyz.filter.SampledFrame;
 import dev.lazyz.scenes.LoadedScene;
 import dev.lazyz.scenes.pictures.PictureFrame;
 import dev.lazyz.scenes.pictures.PictureParameters;
@@ -19,7 +16,6 @@ import java.awt.event.ComponentEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
-import java.util.EnumSet;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
@@ -27,7 +23,7 @@ import javax.swing.SwingWorker;
 
 /** A model in a window: dragging turns it, and a click tells the name of the part under the mouse. */
 public final class ModelPanel extends JPanel {
-    private record View(BufferedImage picture, AovImage parts) {}
+    private record View(BufferedImage picture, SampledFrame samples) {}
 
     private final transient LoadedScene model;
     private final transient Renderer renderer = new TiledRenderer();
@@ -56,9 +52,13 @@ public final class ModelPanel extends JPanel {
 
             @Override
             public void mouseClicked(MouseEvent event) {
-                if (view == null || !view.parts.getRegion().contains(event.getX(), event.getY())) return;
-                String part = view.parts.name(event.getX(), event.getY());
-                if (part != null) clicked.accept(part);
+                if (view == null || !view.samples.getPixels().contains(event.getX(), event.getY())) return;
+                try {
+                    SeenPoint point = view.samples.at(event.getX(), event.getY());
+                    if (point != null) clicked.accept(point.getPart());
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
             }
         };
         addMouseListener(mouse);
@@ -81,10 +81,7 @@ public final class ModelPanel extends JPanel {
             @Override
             protected View doInBackground() throws Exception {
                 PictureFrame frame = settings.frame(model);
-                Image.Collector rows = new Image.Collector(frame.getPixels());
-                AovImages aovs = new AovFrame(frame.getSamples(), EnumSet.of(Aov.OBJECT)).render(renderer, rows);
-                Image image = rows.toImage(aovs.getCounters());
-                return new View(BufferedImages.toBufferedImage(image), aovs.get(Aov.OBJECT));
+                return new View(BufferedImages.toBufferedImage(frame.render(renderer)), frame.getSamples());
             }
 
             @Override

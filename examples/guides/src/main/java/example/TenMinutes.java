@@ -11,9 +11,7 @@ import dev.lazyz.Image;
 import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
 import dev.lazyz.Rgba;
-import dev.lazyz.aov.Aov;
-import dev.lazyz.aov.AovFrame;
-import dev.lazyz.aov.AovImage;
+import dev.lazyz.SeenPoint;
 import dev.lazyz.lighting.LightRig;
 import dev.lazyz.scenes.LoadedScene;
 import dev.lazyz.scenes.Scenes;
@@ -30,7 +28,6 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
@@ -75,8 +72,8 @@ public final class TenMinutes {
 
     static String pick(LoadedScene model, int x, int y) throws InterruptedException {
         PictureFrame frame = new PictureSettings(640, 480).frame(model);
-        AovImage parts = new AovFrame(frame.getSamples(), EnumSet.of(Aov.OBJECT)).render(new TiledRenderer()).get(Aov.OBJECT);
-        return parts.name(x, y);
+        SeenPoint point = frame.getSamples().at(x, y);
+        return point == null ? null : point.getPart();
     }
 
     static List<BufferedImage> turn(LoadedScene model, int steps) throws InterruptedException, ExecutionException {

@@ -6,6 +6,7 @@ import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.distance
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.geometry.UpAxis
@@ -217,33 +218,16 @@ internal class PointAovs(private val sampled: SampledFrame, private val aovs: Li
         depths?.set(at, Float.POSITIVE_INFINITY)
         if (!isCovered || (depths == null && !needsGeometry)) return
         val primitive = primitives[index]
-        depths?.set(at, distance(x, primitive))
+        if (depths != null) {
+            fragment.moveTo(columns[x], rows[x])
+            val unit = raster.convention.toUnit(raster.depthTest.depthOf(keys[x]))
+            depths[at] = view.distance(unit, primitive, fragment).toFloat()
+        }
         if (needsGeometry) {
             fragment.moveTo(columns[x], rows[x])
             primitive.geometry(fragment)
             store(at)
         }
-    }
-
-    /** Returns the distance of the winner in column [x], a sample of [primitive]. */
-    private fun distance(x: Int, primitive: Primitive): Float {
-        val form = primitive.depthForm
-        if (form != null && form.dx == 0L && form.dy == 0L) {
-            val distance = distanceOfPosition(x, primitive)
-            if (!distance.isNaN()) return distance.toFloat()
-        }
-        return view.distance(raster.convention.toUnit(raster.depthTest.depthOf(keys[x]))).toFloat()
-    }
-
-    /**
-     * Returns the distance of the position of [primitive], or NaN if it has none. Where the depth test uses a constant,
-     * the primitive may be a sliver seen edge-on, whose true depth is not constant (contract rule 3.4).
-     */
-    private fun distanceOfPosition(x: Int, primitive: Primitive): Double {
-        fragment.moveTo(columns[x], rows[x])
-        fragment.worldX = Float.NaN
-        primitive.geometry(fragment)
-        return view.distance(fragment.worldX, fragment.worldY, fragment.worldZ)
     }
 
     private fun store(at: Int) {

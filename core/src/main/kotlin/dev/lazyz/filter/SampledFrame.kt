@@ -8,6 +8,7 @@ import dev.lazyz.Region
 import dev.lazyz.RenderedRows
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.SeenPoint
 import dev.lazyz.filter.SuperSampling.PixelFilter
 import dev.lazyz.spi.ShadingObserver
 import java.io.IOException
@@ -70,6 +71,18 @@ public class SampledFrame private constructor(
      * @throws IllegalArgumentException if [region] is not within the picture
      */
     public fun within(region: Region): SampledFrame = SampledFrame(sampling, all, region, shaded)
+
+    /**
+     * Returns what is seen at the pixel in column [x] of row [y], as [Frame.at]: at the one of its samples that wins
+     * the depth test, as in AOVs; null if all of them are background.
+     *
+     * @throws IllegalArgumentException if the pixel is not in [pixels]
+     */
+    @Throws(InterruptedException::class)
+    public fun at(x: Int, y: Int): SeenPoint? {
+        require(pixels.contains(x, y)) { "pixel must be within $pixels: ($x, $y)" }
+        return frame.at(Region(x * factor, y * factor, (x + 1) * factor, (y + 1) * factor))
+    }
 
     /** Returns this frame with all primitives opaque, see [Frame.asOpaque]. */
     public fun asOpaque(): SampledFrame = SampledFrame(sampling, all.asOpaque(), pixels)

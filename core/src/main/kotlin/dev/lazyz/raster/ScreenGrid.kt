@@ -43,18 +43,16 @@ internal object ScreenGrid {
     fun firstSample(grid: Int): Int = (grid - CENTER + STEPS - 1) shr SHIFT
 
     /** Passes to [use] the columns and rows of the samples in the bounds of a triangle; ends are exclusive. */
-    inline fun bounds(
+    inline fun <R> bounds(
         ax: Int,
         ay: Int,
         bx: Int,
         by: Int,
         cx: Int,
         cy: Int,
-        use: (columnStart: Int, rowStart: Int, columnEnd: Int, rowEnd: Int) -> Unit,
-    ) {
-        use(
-            firstSample(minOf(ax, minOf(bx, cx))), firstSample(minOf(ay, minOf(by, cy))),
-            firstSample(maxOf(ax, maxOf(bx, cx))), firstSample(maxOf(ay, maxOf(by, cy))),
-        )
-    }
+        use: (columnStart: Int, rowStart: Int, columnEnd: Int, rowEnd: Int) -> R,
+    ): R = use(
+        firstSample(minOf(ax, minOf(bx, cx))), firstSample(minOf(ay, minOf(by, cy))),
+        firstSample(maxOf(ax, maxOf(bx, cx))), firstSample(maxOf(ay, maxOf(by, cy))),
+    )
 }

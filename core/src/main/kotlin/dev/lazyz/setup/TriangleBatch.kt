@@ -5,6 +5,8 @@ import dev.lazyz.Checkpoint
 import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
 import dev.lazyz.PrimitiveBatch
+import dev.lazyz.Region
+import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.Vertices
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
@@ -41,15 +43,22 @@ internal class TriangleBatch(
     fun place(triangle: Int, corner: Int): Int = STRIDE * corners[3 * triangle + corner]
 
     /** Passes the vertices of [triangle], in grid units, to [use]. */
-    inline fun vertices(triangle: Int, use: (ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int) -> Unit) {
+    inline fun <R> vertices(
+        triangle: Int,
+        use: (ax: Int, ay: Int, bx: Int, by: Int, cx: Int, cy: Int) -> R,
+    ): R {
         val a = place(triangle, 0)
         val b = place(triangle, 1)
         val c = place(triangle, 2)
-        use(grid[a], grid[a + 1], grid[b], grid[b + 1], grid[c], grid[c + 1])
+        return use(grid[a], grid[a + 1], grid[b], grid[b + 1], grid[c], grid[c + 1])
     }
 
     override fun isDrawn(number: Int): Boolean =
         hidden == null || hidden[number ushr WORD_SHIFT] ushr number and 1L == 0L
+
+    override fun boundsIn(region: Region, number: Int): Region? = vertices(number) { ax, ay, bx, by, cx, cy ->
+        ScreenGrid.bounds(ax, ay, bx, by, cx, cy, region::intersect)
+    }
 
     /** 1/w of a vertex. */
     fun inverseW(vertex: Int): Double = if (inverseW == null) 1.0 else inverseW[vertex]

@@ -130,6 +130,8 @@ internal class SceneView(
         }
         return low - 1
     }
+
+    override fun firstOf(number: Int): Int = starts[number]
 }
 
 /** Where what is in a box can be on the raster of [setUp]. */
