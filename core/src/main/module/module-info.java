@@ -1,4 +1,4 @@
-/** The contract of hidden-surface rendering, ten renderers that keep it, and the scenes that they draw. */
+/** The contract of hidden-surface rendering, eleven renderers that keep it, and the scenes that they draw. */
 module dev.lazyz.core {
     requires transitive kotlin.stdlib;
     requires transitive kotlinx.coroutines.core;
@@ -22,6 +22,7 @@ module dev.lazyz.core {
     exports dev.lazyz.strategies.lazy;
     exports dev.lazyz.strategies.lists;
     exports dev.lazyz.strategies.painter;
+    exports dev.lazyz.strategies.raycast;
     exports dev.lazyz.strategies.scanline;
     exports dev.lazyz.strategies.tiled;
     exports dev.lazyz.strategies.warnock;

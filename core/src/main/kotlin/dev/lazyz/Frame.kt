@@ -138,55 +138,67 @@ public class Frame internal constructor(
     }
 
     /** Returns what is seen at that sample of [area] that wins the depth test; of several, the first in rows. */
-    internal fun at(area: Region): SeenPoint? {
-        val test = raster.depthTest
-        var least = test.key(raster.backgroundDepth, DepthTest.BACKGROUND)
-        var x = 0
-        var y = 0
-        var seen: Primitive? = null
-        val spans = area.spans()
-        content.forEachIn(area) { index, primitive ->
-            for (row in maxOf(primitive.rowStart, area.rowStart) until minOf(primitive.rowEnd, area.rowEnd)) {
-                spans.clear()
-                primitive.spans(row, spans)
-                for (i in 0 until spans.count) {
-                    for (column in spans.start(i) until spans.end(i)) {
-                        val key = test.key(primitive.depth(column, row), index)
-                        if (key >= least) continue
-                        least = key
-                        x = column
-                        y = row
-                        seen = primitive
-                    }
-                }
-            }
-        }
-        return seen?.let { SeenPoint(this, x, y, test.depthOf(least), test.indexOf(least), it) }
-    }
+    internal fun at(area: Region): SeenPoint? = NearestFragment(this, area).apply { draw(content, 0) }.point()
 
     override fun toString(): String = "Frame($raster, $region, ${content.size} primitives)"
 }
 
-/** Calls [action] with each primitive that may cover samples of [area], and its submission index. */
-private fun FrameContent.forEachIn(area: Region, action: (index: Int, primitive: Primitive) -> Unit) {
-    parts?.forEach { part ->
-        endIfInterrupted()
-        if (part.reach != null && part.reach.within(area) == null) return@forEach
-        part.content().forEachIn(area) { number, primitive -> action(part.first + number, primitive) }
+/** The fragment of the samples of [area] that wins the depth test. */
+private class NearestFragment(private val frame: Frame, private val area: Region) {
+    private val test = frame.raster.depthTest
+    private val spans = area.spans()
+    private var least = test.key(frame.raster.backgroundDepth, DepthTest.BACKGROUND)
+    private var x = 0
+    private var y = 0
+    private var seen: Primitive? = null
+
+    /** Draws [content], whose first primitive has the submission index [first]. */
+    fun draw(content: FrameContent, first: Int) {
+        content.parts?.forEach { part ->
+            endIfInterrupted()
+            if (part.reach == null || part.reach.within(area) != null) draw(part.content(), first + part.first)
+        }
+        val read = content.reader()
+        content.forEachIn(area) { index, box -> draw(read(index), first + index, box) }
     }
-    val read = reader()
+
+    private fun draw(primitive: Primitive, index: Int, box: Region) {
+        for (row in box.rowStart until box.rowEnd) {
+            spans.clear()
+            primitive.spans(row, spans)
+            for (i in 0 until spans.count) {
+                for (column in spans.start(i) until spans.end(i)) {
+                    val key = test.key(primitive.depth(column, row), index)
+                    if (key >= least) continue
+                    least = key
+                    x = column
+                    y = row
+                    seen = primitive
+                }
+            }
+        }
+    }
+
+    fun point(): SeenPoint? = seen?.let { SeenPoint(frame, x, y, test.depthOf(least), test.indexOf(least), it) }
+}
+
+/**
+ * Calls [action] with the index and the bounds in [region] of each primitive that may cover a sample there, but not
+ * with those of parts. Makes no objects of primitives.
+ */
+internal inline fun FrameContent.forEachIn(region: Region, action: (index: Int, bounds: Region) -> Unit) {
     for (batch in batches) {
         for (number in 0 until batch.count) {
             if (Checkpoint.isDue(number)) endIfInterrupted()
-            if (!batch.isDrawn(number) || batch.boundsIn(area, number) == null) continue
-            action(batch.first + number, read(batch.first + number))
+            val bounds = if (batch.isDrawn(number)) batch.boundsIn(region, number) else null
+            if (bounds != null) action(batch.first + number, bounds)
         }
     }
     for ((number, primitive) in singles.withIndex()) {
         endIfInterrupted()
-        val isNear =
-            area.intersect(primitive.columnStart, primitive.rowStart, primitive.columnEnd, primitive.rowEnd) != null
-        if (isNear) action(index(number), primitive)
+        val bounds =
+            region.intersect(primitive.columnStart, primitive.rowStart, primitive.columnEnd, primitive.rowEnd)
+        if (bounds != null) action(index(number), bounds)
     }
 }
 

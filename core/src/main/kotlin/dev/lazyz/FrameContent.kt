@@ -229,6 +229,11 @@ internal interface PrimitiveBatch {
     /** Returns what primitive [number] may cover of [region]; null if it is nothing. */
     fun boundsIn(region: Region, number: Int): Region?
 
+    /** Bounds of the depths of primitive [number], see [Primitive.leastDepth]. */
+    fun leastDepth(number: Int): Int
+
+    fun greatestDepth(number: Int): Int
+
     /** Returns a function that returns a primitive of the batch, given its number; for one thread. */
     fun reader(): (number: Int) -> Primitive
 

@@ -3,6 +3,7 @@ package dev.lazyz.raster
 import dev.lazyz.Checkpoint
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
+import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.endIfInterrupted
@@ -18,6 +19,13 @@ internal fun Primitive.reaches(region: Region): Boolean =
 /** Returns the part of the bounds of this primitive in [region]; null if they do not intersect. */
 internal fun Primitive.boundsIn(region: Region): Region? =
     region.intersect(columnStart, rowStart, columnEnd, rowEnd)
+
+/** As the other [boundsIn], for the primitive [index], without making an object of it. */
+internal fun FrameContent.boundsIn(region: Region, index: Int): Region? {
+    val number = batchNumber(index)
+    if (number < 0) return single(index).boundsIn(region)
+    return batches[number].boundsIn(region, index - batches[number].first)
+}
 
 /**
  * Calls [action] for each row of this primitive in [region], after its spans have been written to [spans]. Ends if the

@@ -2,6 +2,7 @@ package dev.lazyz.raster
 
 import dev.lazyz.Checkpoint
 import dev.lazyz.DepthTest
+import dev.lazyz.FrameContent
 import dev.lazyz.Primitive
 
 /**
@@ -30,6 +31,15 @@ internal class VisibilityOrder(private val test: DepthTest) {
     /** Returns a lower bound of the keys of all fragments of [primitive]. */
     fun nearestKey(primitive: Primitive, index: Int): Long =
         test.key(if (isReversed) primitive.greatestDepth else primitive.leastDepth, index)
+
+    /** As the other [nearestKey], for the primitive [index] of [content], without making an object of it. */
+    fun nearestKey(content: FrameContent, index: Int): Long {
+        val number = content.batchNumber(index)
+        if (number < 0) return nearestKey(content.single(index), index)
+        val batch = content.batches[number]
+        val triangle = index - batch.first
+        return test.key(if (isReversed) batch.greatestDepth(triangle) else batch.leastDepth(triangle), index)
+    }
 
     /** Returns an upper bound of the keys of all fragments of [primitive]. */
     fun farthestKey(primitive: Primitive, index: Int): Long =

@@ -60,6 +60,15 @@ internal class TriangleBatch(
         ScreenGrid.bounds(ax, ay, bx, by, cx, cy, region::intersect)
     }
 
+    private fun depth(triangle: Int, corner: Int): Int = grid[place(triangle, corner) + 2]
+
+    /** Rounding can move depths beyond those of the vertices by a unit. */
+    override fun leastDepth(number: Int): Int =
+        minOf(depth(number, 0), minOf(depth(number, 1), depth(number, 2))) - 1
+
+    override fun greatestDepth(number: Int): Int =
+        maxOf(depth(number, 0), maxOf(depth(number, 1), depth(number, 2))) + 1
+
     /** 1/w of a vertex. */
     fun inverseW(vertex: Int): Double = if (inverseW == null) 1.0 else inverseW[vertex]
 

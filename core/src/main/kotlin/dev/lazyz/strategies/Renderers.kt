@@ -10,6 +10,7 @@ import dev.lazyz.strategies.hybrid.HybridRenderer
 import dev.lazyz.strategies.lazy.LazyRenderer
 import dev.lazyz.strategies.lists.ListsRenderer
 import dev.lazyz.strategies.painter.PainterRenderer
+import dev.lazyz.strategies.raycast.RaycastRenderer
 import dev.lazyz.strategies.scanline.ScanlineRenderer
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.strategies.warnock.WarnockRenderer
@@ -40,6 +41,7 @@ public object Renderers {
         PainterRenderer(),
         WarnockRenderer(),
         HierarchicalRenderer(),
+        RaycastRenderer(),
     )
 
     /**

@@ -36,7 +36,7 @@ internal object StrategyMemory {
     const val STREAM_OF_OBJECTS: Long = 160L shl 20
 
     /** Strategies that do not create an object for each triangle of a mesh. */
-    private val fromArrays = setOf("tiled")
+    private val fromArrays = setOf("tiled", "raycast")
 
     /** The names of the [terms]. */
     @JvmStatic

@@ -41,7 +41,19 @@ public class StrategyBenchmark {
     static final String VECTOR_API = "--add-modules=jdk.incubator.vector";
 
     /** A renderer's id. */
-    @Param({"tiled", "zbuffer", "hybrid", "lazy", "flow", "lists", "scanline", "painter", "warnock", "hierarchical"})
+    @Param({
+        "tiled",
+        "zbuffer",
+        "hybrid",
+        "lazy",
+        "flow",
+        "lists",
+        "scanline",
+        "painter",
+        "warnock",
+        "hierarchical",
+        "raycast"
+    })
     public String strategy;
 
     /** A scene's id, see {@link Workloads}. */
