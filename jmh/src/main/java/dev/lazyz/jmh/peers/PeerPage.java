@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 
@@ -24,6 +25,9 @@ public final class PeerPage {
 
     /** Lazy Z as tables show it: with the Vector API, and without. */
     private static final List<String> OURS = List.of("JDK 25 with the Vector API", "JDK 25");
+
+    /** Lazy Z as sentences about lit files show it. */
+    private static final List<String> LIT = List.of("JDK 25 with the Vector API", "JDK 25", "JDK 17");
 
     /** What the scenes are. */
     private static final Map<String, String> CONTENTS = Map.of(
@@ -66,6 +70,7 @@ public final class PeerPage {
             case "summary" -> summary();
             case "meshes" -> meshes();
             case "starts" -> starts();
+            case "lit" -> lit();
             case "jobs" -> Jobs.table(jobs);
             default -> throw new IllegalArgumentException("no table '" + name + "'");
         };
@@ -94,23 +99,65 @@ public final class PeerPage {
 
     /** Returns the times of scenes with one thread. */
     private String summary() {
+        return times(
+                subjects.stream().filter(isScene(1)).toList(),
+                        subject -> CONTENTS.getOrDefault(subject.scene(), subject.scene()))
+                + "\n" + GeneratedPage.source(results);
+    }
+
+    /**
+     * Returns the times of lit mesh files, with one sample a pixel and with 16, and how much longer those take. llvmpipe
+     * has 4 samples a pixel in place of 16.
+     */
+    private String lit() {
+        List<PeerScene> lit = subjects.stream().filter(PeerPage::isLit).toList();
+        StringBuilder text = new StringBuilder(times(
+                lit,
+                subject -> subject.scene().replace(TriangleSource.LIT_LABEL, "") + (subject.samples() > 1 ? ", 16; 4" : "")));
+        text.append('\n');
+        for (String program : LIT) {
+            String many = spread(lit.stream()
+                    .filter(subject -> subject.samples() > 1)
+                    .map(subject -> ratio(subject, program)));
+            if (!many.isEmpty()) {
+                String one = spread(lit.stream()
+                        .filter(subject -> subject.samples() == 1)
+                        .map(subject -> ratio(subject, program)));
+                text.append(String.format(
+                        "- %s: 1 sample %s, 16 samples %s times as fast as %s; 16 take %s times as long as 1.%n",
+                        program, one, many, SideBySide.BASE, spread(lit.stream().map(subject -> more(subject, program)))));
+            }
+        }
+        return text.toString();
+    }
+
+    /** Returns how many times as long a picture takes with several samples a pixel; nothing for one with one sample. */
+    private OptionalDouble more(PeerScene subject, String program) {
+        OptionalDouble one = time(new PeerScene(subject.scene(), SIDE, 1, 1), program);
+        OptionalDouble many = time(subject, program);
+        return subject.samples() > 1 && one.isPresent() && many.isPresent()
+                ? OptionalDouble.of(many.getAsDouble() / one.getAsDouble())
+                : OptionalDouble.empty();
+    }
+
+    /** Returns a table of times with one thread. */
+    private String times(List<PeerScene> shown, Function<PeerScene, String> label) {
         List<String> head = new ArrayList<>(List.of(SIDE + " x " + SIDE + ", 1 thread", SideBySide.BASE + ", ms"));
         OURS.forEach(program -> head.addAll(List.of(program + ", ms", "times as fast")));
         List<List<String>> rows = new ArrayList<>();
-        for (PeerScene subject : subjects.stream().filter(isScene(1)).toList()) {
-            List<String> row = new ArrayList<>(List.of(
-                    CONTENTS.getOrDefault(subject.scene(), subject.scene()),
-                    GeneratedPage.time(time(subject, SideBySide.BASE))));
+        for (PeerScene subject : shown) {
+            List<String> row = new ArrayList<>(
+                    List.of(label.apply(subject), GeneratedPage.time(time(subject, SideBySide.BASE))));
             OURS.forEach(program -> row.addAll(
                     List.of(GeneratedPage.time(time(subject, program)), GeneratedPage.ratio(ratio(subject, program)))));
             rows.add(row);
         }
-        return GeneratedPage.table(head, rows) + "\n" + GeneratedPage.source(results);
+        return GeneratedPage.table(head, rows);
     }
 
     /** Returns a line about the least, the greatest and the middle one of some ratios; nothing if there are none. */
     static String range(String before, Stream<OptionalDouble> ratios, String after) {
-        double[] known = ratios.flatMapToDouble(OptionalDouble::stream).sorted().toArray();
+        double[] known = known(ratios);
         return known.length == 0
                 ? ""
                 : String.format(
@@ -121,6 +168,23 @@ public final class PeerPage {
                         known[known.length - 1],
                         after,
                         Measurements.median(known).getAsDouble());
+    }
+
+    /** Returns the least, the greatest and the middle one of some ratios; nothing if there are none. */
+    private static String spread(Stream<OptionalDouble> ratios) {
+        double[] known = known(ratios);
+        return known.length == 0
+                ? ""
+                : String.format(
+                        Locale.ROOT,
+                        "%.2f to %.2f (median %.2f)",
+                        known[0],
+                        known[known.length - 1],
+                        Measurements.median(known).getAsDouble());
+    }
+
+    private static double[] known(Stream<OptionalDouble> ratios) {
+        return ratios.flatMapToDouble(OptionalDouble::stream).sorted().toArray();
     }
 
     /** Returns sentences about all pictures of mesh files. */

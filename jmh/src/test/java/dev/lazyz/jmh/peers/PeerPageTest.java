@@ -67,6 +67,20 @@ class PeerPageTest {
     }
 
     @Test
+    void litMeshesHaveARowForEachNumberOfSamples() {
+        time("cow.obj lit", 1, SideBySide.BASE, 1, 8);
+        time("cow.obj lit", 1, PLAIN, 1, 4);
+        time("cow.obj lit", 4, SideBySide.BASE, 1, 8);
+        time("cow.obj lit", 4, PLAIN, 1, 16);
+        String table = section("lit");
+        assertTrue(table.contains("| cow.obj | 8.00 | – | – | 4.00 | **2.00** |\n"), table);
+        assertTrue(table.contains("| cow.obj, 16; 4 | 8.00 | – | – | 16.0 | **0.50** |\n"), table);
+        String line = "- JDK 25: 1 sample 2.00 to 2.00 (median 2.00), 16 samples 0.50 to 0.50 (median 0.50) times as fast as "
+                + "llvmpipe; 16 take 4.00 to 4.00 (median 4.00) times as long as 1.\n";
+        assertTrue(table.endsWith(line), table);
+    }
+
+    @Test
     void jobsHaveARatioWithinARound() {
         for (double[] job : new double[][] {{1, 10, 30}, {2, 20, 40}, {3, 12, 48}}) {
             results.add(Jobs.TOTAL, "a.obj; 512", "JDK 17: 16 samples", (int) job[0], job[1]);
