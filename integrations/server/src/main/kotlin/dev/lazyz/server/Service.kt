@@ -5,6 +5,7 @@ import dev.lazyz.server.render.MemoryBudget
 import dev.lazyz.server.render.PictureMaker
 import dev.lazyz.server.render.Problem
 import dev.lazyz.server.render.RenderQueue
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ConcurrentSkipListMap
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
@@ -184,7 +185,9 @@ internal class Metrics {
     }
 
     private val families = ConcurrentSkipListMap<String, Family>()
-    private val counters = ConcurrentSkipListMap<String, Counter>()
+
+    /** Unlike a skip list, this map makes a new counter once, also for two threads. */
+    private val counters = ConcurrentHashMap<String, Counter>()
 
     /** Returns the counter called [name] with the [labels], such as `status="200"`. */
     fun counter(name: String, help: String, labels: String = ""): Counter {

@@ -1,6 +1,8 @@
 package dev.lazyz.server
 
 import java.net.Socket
+import java.util.concurrent.CyclicBarrier
+import kotlin.concurrent.thread
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -24,6 +26,25 @@ class AdminTest {
             assertTrue("lazyz_connections 3\n" in client.get("/metrics").body())
             idle.forEach(Socket::close)
         }
+    }
+
+    /** A counter that two threads make at the same time is one. */
+    @Test
+    fun noCountIsLost() {
+        val metrics = Metrics()
+        val counters = 2_000
+        val start = CyclicBarrier(2)
+        val threads = List(2) {
+            thread {
+                for (i in 0 until counters) {
+                    start.await()
+                    metrics.counter("requests", "Requests.", "status=\"$i\"").add()
+                }
+            }
+        }
+        threads.forEach(Thread::join)
+        val lost = metrics.text().lines().filter { it.startsWith("requests{") && !it.endsWith(" 2") }
+        assertEquals(emptyList<String>(), lost)
     }
 
     @Test
