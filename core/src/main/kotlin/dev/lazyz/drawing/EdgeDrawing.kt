@@ -17,6 +17,7 @@ import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Surface
+import java.util.concurrent.atomic.AtomicReference
 import java.util.function.UnaryOperator
 
 /**
@@ -46,9 +47,12 @@ import java.util.function.UnaryOperator
  * @param surfaces the surfaces of the scene
  * @property style how the edges are drawn
  */
-public class EdgeDrawing(private val surfaces: List<Surface>, public val style: EdgeStyle) : Surface {
-    @Volatile
-    private var model: EdgeModel? = null
+public class EdgeDrawing private constructor(
+    private val surfaces: List<Surface>,
+    public val style: EdgeStyle,
+    private val known: AtomicReference<EdgeModel>,
+) : Surface {
+    public constructor(surfaces: List<Surface>, style: EdgeStyle) : this(surfaces, style, AtomicReference())
 
     /** The width of visible lines as samples show them; the unit of all lengths below. */
     private val width = maxOf(style.width, 1.0)
@@ -83,8 +87,8 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
     }
 
     /** Returns the edges, which are found once. */
-    private fun model(checkpoint: Checkpoint): EdgeModel = model ?: synchronized(this) {
-        model ?: EdgeModel(surfaces, style.creaseAngle, checkpoint).also { model = it }
+    private fun model(checkpoint: Checkpoint): EdgeModel = known.get() ?: synchronized(known) {
+        known.get() ?: EdgeModel(surfaces, style.creaseAngle, checkpoint).also(known::set)
     }
 
     /** Returns the edges that [camera] shows on [raster], divided into visible and hidden parts. */
@@ -166,8 +170,9 @@ public class EdgeDrawing(private val surfaces: List<Surface>, public val style: 
 
     override fun magnified(factor: Int): EdgeDrawing = withStyle(style.withWidth(style.width * factor))
 
-    /** Returns this drawing with another [style]. */
-    public fun withStyle(style: EdgeStyle): EdgeDrawing = EdgeDrawing(surfaces, style)
+    /** Returns this drawing with another [style]. What was found out about edges is kept if it still holds. */
+    public fun withStyle(style: EdgeStyle): EdgeDrawing =
+        EdgeDrawing(surfaces, style, if (style.creaseAngle == this.style.creaseAngle) known else AtomicReference())
 
     override fun toString(): String = "EdgeDrawing(${surfaces.size} surfaces, $style)"
 

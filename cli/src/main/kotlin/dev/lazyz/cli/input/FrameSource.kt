@@ -20,12 +20,10 @@ import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.View
 import java.nio.file.Path
 import java.time.Duration
-import org.joml.Vector3dc
 
 /**
  * Reads the input that [shown] names, and creates the frame that the options describe.
@@ -114,7 +112,7 @@ internal class FrameSource(
 
         override fun camera(camera: Camera, up: UpAxis) {
             if (!shown.isCameraPrinted) return
-            val words = words(camera, up)
+            val words = PictureSettings().seenBy(camera, up).options.joinToString(" ")
             streams.note((if (picture == null) words else "$picture: $words") + "\n")
         }
 
@@ -128,22 +126,6 @@ internal class FrameSource(
         }
 
         override fun setUp(size: ImageSize) = streams.progress("setting up $size ...")
-
-        /** Returns the options that give exactly [camera] for a model whose axis [up] points up. */
-        private fun words(camera: Camera, up: UpAxis): String {
-            val (kind, size) = when (val projection = camera.projection) {
-                is Projection.Perspective -> "perspective" to "--fov=${projection.verticalFieldOfView}"
-                is Projection.Orthographic -> "orthographic" to "--height=${projection.height}"
-                Projection.Screen -> return "--camera=scene"
-            }
-            val eye = vector(up.toModel(camera.eye))
-            val target = vector(up.toModel(camera.target))
-            val upward = vector(up.toModel(camera.up))
-            return "--projection=$kind --eye=$eye --target=$target --camera-up=$upward $size " +
-                "--near=${camera.near} --far=${camera.far}"
-        }
-
-        private fun vector(v: Vector3dc): String = "${v.x()},${v.y()},${v.z()}"
     }
 
     private companion object {

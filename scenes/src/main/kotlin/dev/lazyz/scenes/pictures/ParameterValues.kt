@@ -30,6 +30,9 @@ public abstract class ParameterValues<T : Any> internal constructor(public val f
      */
     public abstract fun read(word: String): T
 
+    /** Returns the words that mean [value], one each time the parameter is repeated. Colours are rounded to 8 bits. */
+    internal open fun words(value: T): List<String> = listOf("$value")
+
     /** Checks a value that comes from a program. */
     internal open fun check(value: T) = Unit
 
@@ -73,6 +76,8 @@ public class NamedValues<T : Any>(form: String, private val values: Map<String, 
 
     override fun read(word: String): T = values[word.lowercase()]
         ?: unfit("'$word' is not one of ${words.joinToString()}${EditDistance.hint(word, words)}")
+
+    override fun words(value: T): List<String> = listOf(values.entries.first { it.value == value }.key)
 
     override fun check(value: T) = require(value in values.values) { "$value is not one of ${words.joinToString()}" }
 
@@ -143,6 +148,9 @@ internal class RegionValues : ParameterValues<Region>("X,Y,WxH") {
         if (width < 1 || height < 1) unfit("width and height must be in 1..${Raster.MAX_SIDE}: $word")
         return Region(x, y, x + width, y + height)
     }
+
+    override fun words(value: Region): List<String> =
+        listOf("${value.columnStart},${value.rowStart},${value.width}x${value.height}")
 }
 
 /** A scale: `1:2`, or `2.5:1`. */
@@ -167,6 +175,8 @@ internal class VectorValues : ParameterValues<Vector3dc>("X,Y,Z") {
         return Vector3d(numbers[0], numbers[1], numbers[2])
     }
 
+    override fun words(value: Vector3dc): List<String> = listOf("${value.x()},${value.y()},${value.z()}")
+
     override fun check(value: Vector3dc) = require(value.isFinite) { "numbers must be finite: $value" }
 }
 
@@ -178,6 +188,8 @@ internal class ColorValues : ParameterValues<Rgba>("COLOR") {
     override val completion: WordCompletion get() = WordCompletion.NAME
 
     override fun read(word: String): Rgba = color(word)
+
+    override fun words(value: Rgba): List<String> = listOf(hexadecimal(value))
 }
 
 /** A colour, or two colours, the upper and the lower end of a gradient: `skyblue,white`. */
@@ -194,6 +206,9 @@ internal class BackdropValues : ParameterValues<Backdrop>("COLOR") {
             else -> Backdrop(VerticalGradient(colors[0], colors[1]))
         }
     }
+
+    override fun words(value: Backdrop): List<String> =
+        listOf(value.gradient?.let { "${hexadecimal(it.top)},${hexadecimal(it.bottom)}" } ?: hexadecimal(value.color))
 }
 
 /** `fit`, `scene`, or the number or the name of a camera. */
@@ -230,6 +245,8 @@ internal class CutValues : ParameterValues<List<CutPlane>>("PLANE") {
         listOf(CutPlane.parse(word) ?: unfit("'$word' is not a plane, such as x=0.5, -z=10% or a,b,c,d"))
 
     override fun added(before: List<CutPlane>, next: List<CutPlane>): List<CutPlane> = before + next
+
+    override fun words(value: List<CutPlane>): List<String> = value.map { it.text }
 }
 
 /** A file. */
@@ -249,6 +266,13 @@ private fun color(word: String): Rgba = try {
 } catch (_: IllegalArgumentException) {
     val hint = EditDistance.hint(word, Rgba.names)
     unfit("'$word' is not a colour: neither a name of CSS nor hexadecimal rgb, rrggbb or rrggbbaa$hint")
+}
+
+/** Returns [color] as `rrggbb`, or `rrggbbaa`. */
+private fun hexadecimal(color: Rgba): String {
+    val argb = color.toArgb()
+    val rgb = "%06x".format(argb and 0xFFFFFF)
+    return if (argb ushr 24 == 0xFF) rgb else rgb + "%02x".format(argb ushr 24)
 }
 
 /** What stands between a width and a height. */

@@ -56,19 +56,14 @@ internal class PictureCamera(private val settings: PictureSettings) {
         choice === CameraChoice.SCENE && loaded.isModel && loaded.cameras.isEmpty()
 
     /**
-     * Returns the scene of [loaded], turned so that the axis [up] points up, with the chosen camera.
+     * Returns [scene], that of [loaded] turned so that its axis [up] points up, with the chosen camera.
      *
      * @param turn makes a camera that goes around the scene out of one that shows all of it, or null
      */
-    fun applyTo(loaded: LoadedScene, up: UpAxis, turn: ((FittedViewpoint) -> Viewpoint)?): Scene {
-        val chosen = loaded.scene.withViewpoint(settings.viewpoint ?: chosen(loaded))
-        val scene = try {
-            chosen.withUpAxis(up)
-        } catch (e: UnsupportedOperationException) {
-            throw NoPictureException("${names.of(PictureParameters.UP)}: ${e.message}", e)
-        }
+    fun applyTo(scene: Scene, loaded: LoadedScene, up: UpAxis, turn: ((FittedViewpoint) -> Viewpoint)?): Scene {
+        val chosen = Scene(emptyList(), viewpoint = settings.viewpoint ?: chosen(loaded)).withUpAxis(up).viewpoint
         val style = settings[STYLE].takeIf { isFitted && settings.viewpoint == null && !loaded.scene.isOnScreen }
-        val seen = magnified(framed(scene.viewpoint, style, turn != null))
+        val seen = magnified(framed(chosen, style, turn != null))
         val viewpoint = if (turn == null) seen else turned(seen, turn)
         return scene.withViewpoint(if (isPlaced) PlacedViewpoint(viewpoint, settings, up) else viewpoint)
     }
@@ -190,16 +185,29 @@ private class PlacedViewpoint(private val base: Viewpoint, private val settings:
     private val fieldOfView = settings[FOV]?.takeIf { chosenEye != null }?.let { narrowed(it, settings[ZOOM]) }
 
     override fun camera(scene: Scene, aspect: Double): Camera {
-        val own = base.camera(scene, aspect)
+        // To fit a camera takes time, and one that is wholly placed needs nothing of it
+        val own by lazy(LazyThreadSafetyMode.NONE) { base.camera(scene, aspect) }
+        val height = settings[HEIGHT]
+        val kind = (base as? FittedViewpoint)?.kind
+        val projection = when {
+            kind == Fit.PERSPECTIVE && fieldOfView != null -> Projection.Perspective(fieldOfView)
+            kind == Fit.ORTHOGRAPHIC && height != null -> Projection.Orthographic(height)
+            else -> own.projection
+        }
         val eye = chosenEye ?: eye(own)
         val target = chosenTarget ?: if (chosenEye == null) own.target else scene.bounds?.center ?: own.target
         val up = chosenUp ?: own.up
-        val (near, far) = planes(scene, own, eye, target)
-        return when (val projection = own.projection) {
+
+        // The distances of the near and the far plane are the chosen ones, or around the scene
+        val isMoved = chosenEye != null || chosenTarget != null
+        val (front, back) = if (isMoved) around(scene, projection, eye, target) else own.near to own.far
+        val near = settings[NEAR] ?: front
+        val far = settings[FAR] ?: back
+        return when (projection) {
             is Projection.Perspective ->
                 Camera.perspective(eye, target, up, fieldOfView ?: projection.verticalFieldOfView, near, far)
             is Projection.Orthographic ->
-                Camera.orthographic(eye, target, up, settings[HEIGHT] ?: projection.height, near, far)
+                Camera.orthographic(eye, target, up, height ?: projection.height, near, far)
             Projection.Screen -> own
         }
     }
@@ -211,13 +219,6 @@ private class PlacedViewpoint(private val base: Viewpoint, private val settings:
             chosenTarget.x() + (own.eye.x() - own.target.x()), chosenTarget.y() + (own.eye.y() - own.target.y()),
             chosenTarget.z() + (own.eye.z() - own.target.z()),
         )
-    }
-
-    /** Returns the distances of the near and the far plane: the chosen ones, or around the scene. */
-    private fun planes(scene: Scene, own: Camera, eye: Vector3dc, target: Vector3dc): Pair<Double, Double> {
-        val isMoved = chosenEye != null || chosenTarget != null
-        val fitted = if (isMoved) around(scene, own.projection, eye, target) else own.near to own.far
-        return (settings[NEAR] ?: fitted.first) to (settings[FAR] ?: fitted.second)
     }
 
     private fun around(

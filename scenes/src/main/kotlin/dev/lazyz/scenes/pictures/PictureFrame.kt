@@ -22,6 +22,7 @@ import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.spi.ShadingObserver
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Texture
 import java.io.IOException
 import java.nio.file.Path
@@ -128,7 +129,9 @@ public class PictureFrame internal constructor(
 
 /**
  * Is told what happens while a picture is set up. By default, it keeps the warnings, and nothing else comes of it. It
- * also keeps the texture and the matcap: the pictures of one observer read each file once.
+ * also keeps the texture, the matcap, and the model as the camera of the last picture saw it: cut, turned and painted.
+ * So pictures of one observer read each file once, and if they differ in camera, light and size alone, they prepare the
+ * model once.
  *
  * @property name what the model is called in messages
  * @property limits limits on a texture and on a matcap
@@ -139,6 +142,13 @@ public open class PictureObserver @JvmOverloads constructor(
 ) {
     private val kept = ArrayList<String>()
     private val textures = ConcurrentHashMap<Path, Texture>()
+
+    @Volatile
+    private var prepared: PreparedModel? = null
+
+    /** Returns the model that [make] prepares as [key] says, or the last one if that had an equal key. */
+    internal fun prepared(key: List<Any?>, make: () -> Scene): PreparedModel =
+        prepared?.takeIf { it.key == key } ?: PreparedModel(key, make()).also { prepared = it }
 
     /** Returns the image in a file. */
     internal fun texture(file: Path): Texture = textures.computeIfAbsent(file) { Scenes.texture(it, limits) }

@@ -2,11 +2,15 @@ package dev.lazyz.scenes.pictures
 
 import dev.lazyz.RenderOptions
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.world.Camera
+import dev.lazyz.world.FittedViewpoint.Fit
+import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
 import dev.lazyz.world.View
 import dev.lazyz.world.Viewpoint
@@ -108,6 +112,39 @@ public class PictureSettings private constructor(
     /** Returns these settings, seen from [view] in place of the side that they choose. */
     public fun seenFrom(view: View): PictureSettings =
         without(PictureParameters.AZIMUTH).without(PictureParameters.ELEVATION).with(PictureParameters.VIEW, view)
+
+    /**
+     * Returns these settings with a camera in place of what they choose about it: exactly [camera], which shows a scene
+     * in which y points up, for a model whose axis [up] was turned there.
+     */
+    public fun seenBy(camera: Camera, up: UpAxis): PictureSettings {
+        val free = ParameterGroup.CAMERA.parameters.fold(withViewpoint(null)) { all, other -> all.without(other) }
+        val projection = camera.projection
+        if (projection == Projection.Screen) return free.with(PictureParameters.CAMERA, CameraChoice.SCENE)
+        val kind = if (projection is Projection.Perspective) Fit.PERSPECTIVE else Fit.ORTHOGRAPHIC
+        val placed = free.with(PictureParameters.PROJECTION, kind)
+            .with(PictureParameters.EYE, up.toModel(camera.eye))
+            .with(PictureParameters.TARGET, up.toModel(camera.target))
+            .with(PictureParameters.CAMERA_UP, up.toModel(camera.up))
+        val sized = when (projection) {
+            is Projection.Perspective -> placed.with(PictureParameters.FOV, projection.verticalFieldOfView)
+            is Projection.Orthographic -> placed.with(PictureParameters.HEIGHT, projection.height)
+            Projection.Screen -> placed
+        }
+        return sized.with(PictureParameters.NEAR, camera.near).with(PictureParameters.FAR, camera.far)
+    }
+
+    /**
+     * The options of `zcli render` that choose what these settings do, in the order in which it was chosen, each with
+     * its value after `=`. The [viewpoint] and defaults are not among them.
+     */
+    public val options: List<String> get() = given.keys.flatMap { optionsOf(it) }
+
+    private fun <T : Any> optionsOf(parameter: PictureParameter<T>): List<String> {
+        val value = checkNotNull(this[parameter])
+        if (parameter.values.form == null) return if (value == true) listOf("--${parameter.name}") else emptyList()
+        return parameter.values.words(value).map { "--${parameter.name}=$it" }
+    }
 
     /**
      * Returns these settings with another default of [parameter], which is [PictureParameters.SIZE] or

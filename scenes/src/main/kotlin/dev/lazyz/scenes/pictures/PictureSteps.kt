@@ -13,6 +13,7 @@ import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter
+import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.lighting.GroundShadow
 import dev.lazyz.lighting.Matcap
@@ -33,6 +34,7 @@ import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
+import dev.lazyz.world.surface.Surface
 import java.nio.file.Path
 
 /**
@@ -66,7 +68,7 @@ internal class PictureSteps(
     fun frame(turn: ((FittedViewpoint) -> Viewpoint)?): PictureFrame {
         val shown = Shown(turn)
         val scene = finished(shown)
-        val edges = edges(scene, shown.raster) ?: return frame(scene, shown)
+        val edges = edges(scene, shown) ?: return frame(scene, shown)
         return frame(scene.withSurfaces(scene.surfaces + edges), shown)
     }
 
@@ -87,7 +89,7 @@ internal class PictureSteps(
         val raster = shown.raster
         val camera = scene.viewpoint as Camera
         val pixelSize = PictureDrawing.pixelSize(settings, loaded.unit, camera, raster)
-        val edges = checkNotNull(edges(scene, raster))
+        val edges = checkNotNull(edges(scene, shown))
         val isOnPaper = style == PictureStyle.TECHNICAL &&
             settings[PictureParameters.BACKGROUND]?.gradient == null && PictureDrawing.isOnPaper(scene, raster)
         return PictureDrawing(
@@ -118,6 +120,7 @@ internal class PictureSteps(
     /** The scene as its camera shows it, from the first step to light. */
     private inner class Shown(turn: ((FittedViewpoint) -> Viewpoint)?) {
         val up = settings[PictureParameters.UP] ?: loaded.usualUp
+        val prepared: PreparedModel
         val raster: Raster
         val viewed: Scene
         val lit: Scene
@@ -131,10 +134,11 @@ internal class PictureSteps(
                 observer.warning("$scene: ${observer.name} has no camera, and is shown as a whole")
             }
 
-            // Colours of the style, cuts, camera, axis, sizes, paint, shading
-            val cut = PictureCuts(settings, observer).of(style?.painted(loaded.scene) ?: loaded.scene, planes())
-            val seen = sized(camera.applyTo(loaded.withScene(cut), up, turn))
-            val shaded = shaded(painted(seen))
+            prepared = observer.prepared(listOf(loaded.scene, stage, up) + PREPARING.map { settings[it] }) {
+                val cut = PictureCuts(settings, observer).of(style?.painted(loaded.scene) ?: loaded.scene, planes())
+                shaded(painted(sized(turned(cut, up))))
+            }
+            val shaded = camera.applyTo(prepared.scene, loaded, up, turn)
 
             // The camera is fitted to the whole raster. The picture may be a part of it
             raster = stage?.raster ?: raster(shaded)
@@ -150,6 +154,12 @@ internal class PictureSteps(
 
     private fun planes(): List<SectionPlane> =
         stage?.planes ?: settings[PictureParameters.CUT].orEmpty().map { it.plane(loaded.scene) }
+
+    private fun turned(scene: Scene, up: UpAxis): Scene = try {
+        scene.withUpAxis(up)
+    } catch (e: UnsupportedOperationException) {
+        throw NoPictureException("${names.of(PictureParameters.UP)}: ${e.message}", e)
+    }
 
     private fun sized(scene: Scene): Scene {
         val point = settings[PictureParameters.POINT_SIZE]
@@ -284,19 +294,19 @@ internal class PictureSteps(
         return scene.withToneMapping(ToneMapping(curve ?: own.curve, exposure ?: own.exposure))
     }
 
-    /** Returns the chosen edges of [scene], for the pixels of [raster], or null if there are none. */
-    private fun edges(scene: Scene, raster: Raster): EdgeDrawing? {
+    /** Returns the chosen edges of [scene], as [shown], or null if there are none. */
+    private fun edges(scene: Scene, shown: Shown): EdgeDrawing? {
         if (!settings.hasEdges) return null
         val isWireframe = settings.has(PictureParameters.WIREFRAME)
         val edges = EdgeStyle(
             if (isWireframe) EdgeSet.ALL else EdgeSet.FEATURES,
             settings[PictureParameters.CREASE_ANGLE] ?: FeatureEdges.DEFAULT_CREASE_ANGLE,
-            settings[PictureParameters.EDGE_WIDTH] ?: PictureStyle.lineWidth(raster, style),
+            settings[PictureParameters.EDGE_WIDTH] ?: PictureStyle.lineWidth(shown.raster, style),
             settings[PictureParameters.EDGE_COLOR] ?: Rgba.BLACK,
             settings[PictureParameters.HIDDEN_LINES] ?: HiddenLines.NONE,
             settings[PictureParameters.HIDDEN_COLOR] ?: EdgeStyle.HIDDEN_GREY,
         )
-        return EdgeDrawing(scene.surfaces, edges)
+        return shown.prepared.edges(scene.surfaces, edges)
     }
 
     private fun region(raster: Raster): Region {
@@ -321,5 +331,29 @@ internal class PictureSteps(
             refuse("${names.of(aa, wish.factor)}: $obstacle; use ${names.of(aa, 1)}")
         }
         return (if (obstacle == null) wish else SuperSampling(1, filter)).frame(scene, raster, options)
+    }
+
+    private companion object {
+        /** What can be chosen about the model before a camera sees it, besides its axis. */
+        val PREPARING = PictureParameters.run {
+            listOf(STYLE, CUT, CAP_COLOR, POINT_SIZE, LINE_WIDTH, COLOR, TEXTURE, SHADING, TEXTURE_FILTER)
+        }
+    }
+}
+
+/**
+ * A model before a camera sees it. Thread safe.
+ *
+ * @property key what it was made of
+ * @property scene the model, cut, turned so that y points up, and painted
+ */
+internal class PreparedModel(val key: List<Any?>, val scene: Scene) {
+    @Volatile
+    private var edges: EdgeDrawing? = null
+
+    /** Returns the edges of [surfaces]. What is known about those of the [scene] is kept. */
+    fun edges(surfaces: List<Surface>, style: EdgeStyle): EdgeDrawing = when {
+        surfaces !== scene.surfaces -> EdgeDrawing(surfaces, style)
+        else -> (edges?.withStyle(style) ?: EdgeDrawing(surfaces, style)).also { edges = it }
     }
 }

@@ -43,11 +43,14 @@ class PictureCameraTest {
         return LoadedScene(Scene(listOf(sphere), emptyList(), own), emptyList(), cameras = cameras)
     }
 
+    private fun applied(asked: PictureSettings, model: LoadedScene, up: UpAxis = UpAxis.Y): Scene =
+        PictureCamera(asked).applyTo(model.scene.withUpAxis(up), model, up, null)
+
     private fun seen(own: Viewpoint, asked: PictureSettings): Viewpoint =
-        PictureCamera(asked).applyTo(loaded(own), UpAxis.Y, null).viewpoint
+        applied(asked, loaded(own)).viewpoint
 
     private fun camera(own: Viewpoint, asked: PictureSettings): Camera =
-        PictureCamera(asked).applyTo(loaded(own), UpAxis.Y, null).camera(40, 30)
+        applied(asked, loaded(own)).camera(40, 30)
 
     private fun fitted(own: Viewpoint, asked: PictureSettings): List<Any> =
         (seen(own, asked) as FittedViewpoint).let { listOf(it.azimuth, it.elevation, it.zoom, it.kind) }
@@ -135,7 +138,7 @@ class PictureCameraTest {
         val model = loaded(orthographic, listOf(NamedCamera("one", orthographic), NamedCamera("", perspective)))
         fun chosen(choice: CameraChoice?): String {
             val asked = if (choice == null) usual else usual.with(CAMERA, choice)
-            return PictureCamera(asked).applyTo(model, UpAxis.Y, null).viewpoint.toString()
+            return applied(asked, model).viewpoint.toString()
         }
         assertEquals(Camera.fit().toString(), chosen(null))
         assertEquals(Camera.fit().toString(), chosen(CameraChoice.FIT))
@@ -180,7 +183,7 @@ class PictureCameraTest {
         for (axis in UpAxis.entries) {
             val places = listOf(Vector3d(4.0, 5.0, 9.0), Vector3d(0.0, 1.0, 2.0), Vector3d(0.1, 0.2, 0.3))
             val asked = usual.with(EYE, places[0]).with(TARGET, places[1]).with(CAMERA_UP, places[2])
-            val camera = PictureCamera(asked).applyTo(loaded(Camera.fit()), axis, null).camera(40, 30)
+            val camera = applied(asked, loaded(Camera.fit()), axis).camera(40, 30)
             assertEquals(axis.toWorld(places[0]), camera.eye)
             assertEquals(places[0], axis.toModel(camera.eye))
             assertEquals(axis.toWorld(places[2]), camera.up)

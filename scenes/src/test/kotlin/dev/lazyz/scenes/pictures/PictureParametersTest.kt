@@ -1,7 +1,10 @@
 package dev.lazyz.scenes.pictures
 
 import dev.lazyz.Rgba
+import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.Scenes
 import dev.lazyz.shared.PictureWords
+import dev.lazyz.strategies.tiled.TiledRenderer
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.readText
@@ -21,6 +24,41 @@ class PictureParametersTest {
             words.dropLast(1).forEach { parameter.values.read(it) }
             assertThrows(IllegalArgumentException::class.java, { parameter.values.read(words.last()) }, parameter.name)
         }
+    }
+
+    /** What settings choose can be written as options, and these choose the same. */
+    @Test
+    fun optionsOfSettingsAreReadBack() {
+        fun read(options: List<String>) = options.fold(PictureSettings()) { all, option ->
+            val parameter = PictureParameters.all.single { option.substringBefore('=') == "--${it.name}" }
+            all.withWord(parameter, if ('=' in option) option.substringAfter('=') else "true")
+        }
+        for (parameter in PictureParameters.all) {
+            for (word in PictureWords.all.getValue(parameter.name).dropLast(1)) {
+                val settings = PictureSettings().withWord(parameter, word)
+                val again = read(settings.options)
+                assertEquals("${settings[parameter]}", "${again[parameter]}", "${settings.options}")
+                assertEquals(settings.options, again.options)
+            }
+        }
+        assertEquals(listOf("--cut=x=1", "--cut=-z=10%"), read(listOf("--cut=x=1", "--cut=-z=10%")).options)
+        assertEquals(emptyList<String>(), PictureSettings().withWord(PictureParameters.EDGES, "false").options)
+    }
+
+    /** Pictures of one observer that differ in the camera alone have the pixels of pictures of their own. */
+    @Test
+    fun anObserverKeepsWhatPicturesHaveInCommon() {
+        val model = LoadedScene(Scenes.teapot(2), emptyList())
+        val cut = PictureSettings(40, 30).withWord(PictureParameters.CUT, "x=40%")
+            .with(PictureParameters.EDGES, true)
+        val observer = PictureObserver()
+        val colored = cut.with(PictureParameters.COLOR, Rgba.BLACK)
+        for (settings in listOf(cut, cut.with(PictureParameters.AZIMUTH, 80.0), cut.with(PictureParameters.AA, 1))) {
+            val frame = settings.frame(model, observer = observer)
+            assertEquals(settings.frame(model).render(TiledRenderer()), frame.render(TiledRenderer()), "$settings")
+        }
+        val kept = colored.frame(model, observer = observer).render(TiledRenderer())
+        assertEquals(colored.frame(model).render(TiledRenderer()), kept)
     }
 
     @Test
