@@ -109,7 +109,7 @@ configure(subprojects.filter { it.name != "bom" }) {
 }
 
 // The libraries that go to Maven Central, with sources and documentation.
-for (module in listOf("core", "scenes", "conformance", "testing", "server", "spark")) {
+for (module in listOf("core", "scenes", "conformance", "testing", "server", "spark", "swing")) {
     project(":$module") {
         apply(plugin = catalog.plugins.dokka.get().pluginId)
 

@@ -20,7 +20,8 @@ import org.w3c.dom.Node;
  * in the root of the clone. Prints each fault, and exits with 1 if there is one.
  */
 public class Publication {
-    private static final List<String> MODULES = List.of("core", "scenes", "conformance", "testing", "server", "spark");
+    private static final List<String> MODULES =
+            List.of("core", "scenes", "conformance", "testing", "server", "spark", "swing");
     private static final List<String> FACTS = List.of("name", "description", "url", "licenses", "developers", "scm");
     private static final Map<String, String> CHECKSUMS = Map.of("md5", "MD5", "sha1", "SHA-1");
 

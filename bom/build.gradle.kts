@@ -8,5 +8,6 @@ dependencies {
         api(project(":testing"))
         api(project(":server"))
         api(project(":spark"))
+        api(project(":swing"))
     }
 }

@@ -11,6 +11,7 @@ dependencies {
     implementation(project(":core"))
     implementation(project(":scenes"))
     implementation(project(":conformance"))
+    implementation(project(":swing"))
     implementation(libs.serialization.json)
     implementation(libs.jqwik)
     implementation(libs.clikt)

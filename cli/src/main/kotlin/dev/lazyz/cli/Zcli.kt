@@ -13,6 +13,7 @@ import dev.lazyz.cli.commands.ReportCommand
 import dev.lazyz.cli.commands.ScenesCommand
 import dev.lazyz.cli.commands.StrategiesCommand
 import dev.lazyz.cli.commands.TraceCommand
+import dev.lazyz.cli.commands.ViewCommand
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.output.Mistake
@@ -35,6 +36,7 @@ internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
         versionOption(Version.text, help = "Print the version and exit", message = { "zcli $it" })
         val commands = mapOf(
             "render" to { RenderCommand(streams, args) },
+            "view" to { ViewCommand(streams) },
             "compare" to { CompareCommand(streams, args) },
             "diff" to { DiffCommand(streams) },
             "report" to { ReportCommand(streams, args) },

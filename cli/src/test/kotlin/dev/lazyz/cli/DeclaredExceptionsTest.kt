@@ -46,7 +46,7 @@ class DeclaredExceptionsTest {
     }.toList()
 
     private companion object {
-        val MODULES = listOf("core", "scenes", "conformance", "testing", "server", "spark")
+        val MODULES = listOf("core", "scenes", "conformance", "testing", "server", "spark", "swing")
 
         /** A comment, and what follows up to the body. */
         val DOCUMENTED = Regex("""/\*\*((?:(?!\*/).)*)\*/([^{=]*)""", RegexOption.DOT_MATCHES_ALL)

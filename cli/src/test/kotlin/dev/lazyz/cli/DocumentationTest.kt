@@ -15,7 +15,8 @@ class DocumentationTest {
     private val page: String = ProjectFiles.root.resolve("docs/cli.md").readText()
 
     private val commands = listOf(
-        "render", "compare", "diff", "report", "trace", "conformance", "scenes", "strategies", "man", "completion",
+        "render", "view", "compare", "diff", "report", "trace", "conformance", "scenes", "strategies", "man",
+        "completion",
     )
 
     private fun help(vararg command: String) = zcli(*command, "--help").done().text

@@ -27,7 +27,7 @@ class PackageTextsTest {
         }
 
     @ParameterizedTest
-    @ValueSource(strings = ["core", "scenes", "conformance", "testing", "server", "spark"])
+    @ValueSource(strings = ["core", "scenes", "conformance", "testing", "server", "spark", "swing"])
     fun eachPublicPackageHasAText(module: String) {
         val packages = publicPackages(module)
         assertTrue("dev.lazyz" in packages || "dev.lazyz.$module" in packages) { "$packages" }

@@ -134,7 +134,7 @@ class PackagesTest {
             "strategies.*", "strategies", "planning", "lighting", "aov",
         ).map { if (it.isEmpty()) "dev.lazyz" else "dev.lazyz.$it" }
 
-        val MODULES = listOf("core", "scenes", "conformance", "testing", "server", "spark", "cli", "jmh")
+        val MODULES = listOf("core", "scenes", "conformance", "testing", "server", "spark", "swing", "cli", "jmh")
 
         /**
          * Files whose dependencies are ignored, each with the reason. They connect packages so that no other file has

@@ -11,8 +11,9 @@ import org.junit.jupiter.api.io.TempDir
 
 /** What `zcli man` and `zcli completion` print. */
 class ShellTest {
-    private val commands =
-        listOf("render", "compare", "diff", "report", "trace", "conformance", "scenes", "strategies", "completion")
+    private val commands = listOf(
+        "render", "view", "compare", "diff", "report", "trace", "conformance", "scenes", "strategies", "completion",
+    )
 
     @Test
     fun theManualPageHasEachOptionOfTheHelp() {
