@@ -109,7 +109,7 @@ public class EdgeDrawing private constructor(
         val facing = Facing(model, near, checkpoint)
         val tolerance = (size ?: 0.0) * TOLERANCE
         return EdgeView(model, facing, space, tolerance, margin, workers, checkpoint).also {
-            it.divide(style.edges, style.hidden != HiddenLines.NONE)
+            it.divide(style.edges, if (style.hidden == HiddenLines.NONE) 0 else style.hiddenBehind)
         }
     }
 

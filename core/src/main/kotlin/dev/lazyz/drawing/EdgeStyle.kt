@@ -18,7 +18,12 @@ import dev.lazyz.world.surface.Points
  * @property color colour of visible lines; must be opaque
  * @property hidden what happens to hidden lines
  * @property hiddenColor colour of hidden lines; must be opaque. Default: [HIDDEN_GREY]
- * @throws IllegalArgumentException if [creaseAngle] or [width] is out of range, or the alpha of a colour is not 1
+ * @property hiddenBehind hidden lines are drawn where at most this many faces hide them, at least 1; by default any
+ *   number. A solid before a line hides it by two faces, the front and the back, unless its material has only fronts.
+ *   The number is the quantitative invisibility of Arthur Appel, "The notion of quantitative invisibility and the
+ *   machine rendering of solids", ACM National Conference (1967)
+ * @throws IllegalArgumentException if [creaseAngle], [width] or [hiddenBehind] is out of range, or the alpha of a
+ *   colour is not 1
  */
 public class EdgeStyle @JvmOverloads constructor(
     public val edges: EdgeSet = EdgeSet.FEATURES,
@@ -27,6 +32,7 @@ public class EdgeStyle @JvmOverloads constructor(
     public val color: Rgba = Rgba.BLACK,
     public val hidden: HiddenLines = HiddenLines.NONE,
     public val hiddenColor: Rgba = HIDDEN_GREY,
+    public val hiddenBehind: Int = Int.MAX_VALUE,
 ) {
     init {
         require(creaseAngle in 0.0..180.0) { "creaseAngle must be in 0..180 degrees: $creaseAngle" }
@@ -35,6 +41,7 @@ public class EdgeStyle @JvmOverloads constructor(
         }
         require(color.alpha == 1f) { "color must be opaque: $color" }
         require(hiddenColor.alpha == 1f) { "hiddenColor must be opaque: $hiddenColor" }
+        require(hiddenBehind >= 1) { "hiddenBehind must be at least 1: $hiddenBehind" }
     }
 
     /** Returns this style for other [edges]. */
@@ -55,6 +62,9 @@ public class EdgeStyle @JvmOverloads constructor(
     /** Returns this style with another colour of [hidden] lines, which must be opaque. */
     public fun withHiddenColor(hiddenColor: Rgba): EdgeStyle = copy(hiddenColor = hiddenColor)
 
+    /** Returns this style with [hidden] lines only where at most this many faces hide them, at least 1. */
+    public fun withHiddenBehind(hiddenBehind: Int): EdgeStyle = copy(hiddenBehind = hiddenBehind)
+
     private fun copy(
         edges: EdgeSet = this.edges,
         creaseAngle: Double = this.creaseAngle,
@@ -62,7 +72,8 @@ public class EdgeStyle @JvmOverloads constructor(
         color: Rgba = this.color,
         hidden: HiddenLines = this.hidden,
         hiddenColor: Rgba = this.hiddenColor,
-    ): EdgeStyle = EdgeStyle(edges, creaseAngle, width, color, hidden, hiddenColor)
+        hiddenBehind: Int = this.hiddenBehind,
+    ): EdgeStyle = EdgeStyle(edges, creaseAngle, width, color, hidden, hiddenColor, hiddenBehind)
 
     /** Returns [scene] with its edges drawn: the same scene and, as its last surface, an [EdgeDrawing]. */
     public fun drawnOn(scene: Scene): Scene =

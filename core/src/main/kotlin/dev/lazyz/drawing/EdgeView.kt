@@ -50,11 +50,11 @@ internal class EdgeView(
      * Divides the drawn edges of the set [edges] into visible and hidden parts. Edges of faces that are not drawn,
      * because they show their backs, have no visible parts.
      *
-     * @param hasHidden whether hidden parts are needed
+     * @param hiddenBehind parts that more faces hide are not needed
      */
-    fun divide(edges: EdgeSet, hasHidden: Boolean) {
-        val drawn = (0 until model.edgeCount).filter { isIn(edges, it) && (hasHidden || facing.isDrawn(it)) }
-        val chunks = List((drawn.size + CHUNK - 1) / CHUNK) { Chunk() }
+    fun divide(edges: EdgeSet, hiddenBehind: Int) {
+        val drawn = (0 until model.edgeCount).filter { isIn(edges, it) && (hiddenBehind > 0 || facing.isDrawn(it)) }
+        val chunks = List((drawn.size + CHUNK - 1) / CHUNK) { Chunk(hiddenBehind) }
         workers.forEach(chunks.size, checkpoint) { number, own ->
             for (i in number * CHUNK until minOf((number + 1) * CHUNK, drawn.size)) {
                 own.pass()
@@ -71,16 +71,20 @@ internal class EdgeView(
         edges == EdgeSet.ALL || model.isFeature(edge) || facing.isSilhouette(edge)
 
     /** Some of the edges, for one thread. */
-    private inner class Chunk {
+    private inner class Chunk(private val hiddenBehind: Int) {
         val visible = Pieces()
         val hidden = Pieces()
-        private val parts = HiddenParts(space, places, tolerance)
+        private val isCounted = hiddenBehind in 1 until Int.MAX_VALUE
+        private val parts = HiddenParts(space, places, tolerance, isCounted)
+
+        /** The parts that too many faces hide. */
+        private val deep = Intervals()
 
         // The part of the edge that is on the raster and between the near and the far plane
         private val part = KeptPart()
         private var kind = LineKind.FACET
 
-        /** Polygons that were compared with the edge. They can have many sides, so once is enough. */
+        /** Polygons that were compared with the edge, which can have many sides, and triangles that count once. */
         private val compared = HashSet<Int>()
 
         fun divide(edge: Int) {
@@ -105,24 +109,29 @@ internal class EdgeView(
 
             // What is not hidden is visible
             val isDrawn = facing.isDrawn(edge)
+            if (isCounted) deep.setDeep(parts.intervals, hiddenBehind)
             parts.intervals.join()
             var at = low
             parts.intervals.forEachGap(low, high) { gapFrom, gapUntil ->
-                add(hidden, start, end, at, gapFrom)
+                addHidden(start, end, at, gapFrom)
                 if (isDrawn) add(visible, start, end, gapFrom, gapUntil)
                 at = gapUntil
             }
-            add(hidden, start, end, at, high)
+            addHidden(start, end, at, high)
         }
+
+        private fun addHidden(start: Int, end: Int, from: Double, until: Double) =
+            deep.forEachGap(from, until) { gapFrom, gapUntil -> add(hidden, start, end, gapFrom, gapUntil) }
 
         /** Adds what [face] hides of the edge. */
         private fun addHidden(face: Int) {
             if (face < model.triangleCount) {
+                if (isCounted && !compared.add(face)) return
                 parts.behindTriangle(model.corners[3 * face], model.corners[3 * face + 1], model.corners[3 * face + 2])
                 return
             }
             val number = face - model.triangleCount
-            if (compared.add(number)) polygons[number]?.let { parts.behindPolygon(it) }
+            if (compared.add(face)) polygons[number]?.let { parts.behindPolygon(it) }
         }
 
         private fun add(pieces: Pieces, start: Int, end: Int, from: Double, until: Double) {

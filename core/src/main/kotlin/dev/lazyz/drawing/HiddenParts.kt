@@ -18,11 +18,13 @@ import dev.lazyz.geometry.FillRule
  *
  * @param places four numbers for each point, see [ViewSpace.place]
  * @param tolerance world units
+ * @param isCounted whether it matters how many faces hide a part
  */
 internal class HiddenParts(
     private val space: ViewSpace,
     private val places: DoubleArray,
     private val tolerance: Double,
+    private val isCounted: Boolean = false,
 ) {
     /** The hidden parts of the edge: 0 is its first end and 1 its second. */
     val intervals: Intervals = Intervals()
@@ -45,7 +47,7 @@ internal class HiddenParts(
     // The part of the edge that the conditions so far leave
     private val part = KeptPart()
 
-    /** Whether one triangle hides the whole edge. */
+    /** Whether one triangle hides the whole edge, so that others need not be examined. */
     private var isWhole = false
 
     private val crossings = Intervals()
@@ -122,7 +124,7 @@ internal class HiddenParts(
         keepBehind(height0 - h0, height1 - h1, hasStart, hasEnd)
         if (nearest < space.near) part.keepPositive(space.beyondNear(w0, height0), space.beyondNear(w1, height1))
         if (part.high - part.low > LEAST_PART) intervals.add(part.low, part.high)
-        isWhole = part.low == 0.0 && part.high == 1.0
+        isWhole = !isCounted && part.low == 0.0 && part.high == 1.0
     }
 
     private fun share(isCorner: Boolean) = if (isCorner) 1.0 else 0.0
@@ -203,101 +205,14 @@ internal class HiddenParts(
         return if (face.fillRule == FillRule.EVEN_ODD) count % 2 != 0 else sum != 0
     }
 
-    private companion object {
+    companion object {
         /** Triangles of less than half this area in square pixels are seen from the side, and hide nothing. */
-        const val EDGE_ON = 1e-7
+        private const val EDGE_ON = 1e-7
 
         /** A triangle that hides less of an edge only touches it, for example at an end. */
-        const val LEAST_PART = 1e-6
+        const val LEAST_PART: Double = 1e-6
 
         /** How far a triangle extends beyond its sides, as a part of its size: neighbours leave no gap. */
-        const val SEAM = 1e-9
-    }
-}
-
-/** The part of an edge that linear conditions leave: from [low] to [high], 0 for its first end and 1 for its second. */
-internal class KeptPart {
-    var low = 0.0
-        private set
-    var high = 1.0
-        private set
-
-    val isEmpty: Boolean get() = low >= high
-
-    /** Keeps the whole edge. */
-    fun begin() {
-        low = 0.0
-        high = 1.0
-    }
-
-    /** Keeps nothing. */
-    fun clear() {
-        high = low
-    }
-
-    /** Keeps the part in which a linear function with the values [f0] and [f1] at the ends is not negative. */
-    fun keepPositive(f0: Double, f1: Double) {
-        if (f0 < 0.0) {
-            if (f1 < 0.0) clear() else low = maxOf(low, f0 / (f0 - f1))
-        } else if (f1 < 0.0) {
-            high = minOf(high, f0 / (f0 - f1))
-        }
-    }
-}
-
-/** Parts of the range 0..1, as pairs of numbers. A reusable list; not thread safe. */
-internal class Intervals {
-    private var bounds = DoubleArray(32)
-
-    /** Number of parts. */
-    var count: Int = 0
-        private set
-
-    fun from(i: Int): Double = bounds[2 * i]
-
-    fun until(i: Int): Double = bounds[2 * i + 1]
-
-    fun clear() {
-        count = 0
-    }
-
-    fun add(from: Double, until: Double) {
-        if (2 * count == bounds.size) bounds = bounds.copyOf(2 * bounds.size)
-        bounds[2 * count] = from
-        bounds[2 * count + 1] = until
-        count++
-    }
-
-    /** Sorts the parts, and joins those that overlap or touch. */
-    fun join() {
-        sort()
-        var last = 0
-        for (i in 1 until count) {
-            if (bounds[2 * i] <= bounds[2 * last + 1]) {
-                bounds[2 * last + 1] = maxOf(bounds[2 * last + 1], bounds[2 * i + 1])
-            } else {
-                last++
-                bounds[2 * last] = bounds[2 * i]
-                bounds[2 * last + 1] = bounds[2 * i + 1]
-            }
-        }
-        count = minOf(count, last + 1)
-    }
-
-    private fun sort() {
-        if (count < 2) return
-        val order = (0 until count).sortedBy { bounds[2 * it] }
-        bounds = DoubleArray(bounds.size) { if (it < 2 * count) bounds[2 * order[it / 2] + it % 2] else 0.0 }
-    }
-
-    /** Calls [action] for each part of [from]..[until] that is in none of these parts, which have been joined. */
-    inline fun forEachGap(from: Double, until: Double, action: (from: Double, until: Double) -> Unit) {
-        var at = from
-        for (i in 0 until count) {
-            if (from(i) > at) action(at, minOf(from(i), until))
-            at = maxOf(at, until(i))
-            if (at >= until) return
-        }
-        if (at < until) action(at, until)
+        private const val SEAM = 1e-9
     }
 }

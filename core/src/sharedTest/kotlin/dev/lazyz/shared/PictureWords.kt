@@ -61,6 +61,7 @@ object PictureWords {
         "edge-width" to listOf("0.001", "9", "5000"),
         "edge-color" to listOf("navy", "00f", "8888"),
         "hidden-color" to listOf("red", "0f0", "reddd"),
+        "hidden-behind" to listOf("1", "9", "0"),
         "cut" to listOf("x=50%", "1,1,1,2", "x"),
         "cap-color" to listOf("lime", "ffffff80", "limes"),
         "scale" to listOf("1:2", "2.5:1", "1:0"),

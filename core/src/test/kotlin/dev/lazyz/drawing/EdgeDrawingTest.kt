@@ -201,6 +201,72 @@ class EdgeDrawingTest {
     }
 
     @Test
+    fun rule_10_2_aLineBehindTooManyFacesIsLeftOut() {
+        // The line is in columns 5 to 95 of row 49; two squares hide it, in columns 25 to 50 and 37.5 to 63
+        val back = square(-1.8f, -1.5f, 1.8f, 0.02f, -1f)
+        val fronts = listOf(square(-0.5f, -1f, 0.52f, 1f, 0f), square(-1f, -0.8f, 0f, 0.8f, 0.5f))
+        val style = EdgeStyle(hidden = HiddenLines.SOLID, hiddenColor = Rgba.BLACK)
+        val all = render(fronts + back, style)
+        assertEquals(listOf(4..94), all.blackColumns(49))
+        assertEquals(all, render(fronts + back, style.withHiddenBehind(2)))
+        val one = render(fronts + back, style.withHiddenBehind(1))
+        assertEquals(listOf(4..37, 49..94), one.blackColumns(49))
+
+        // One triangle of a wall hides all of the line, and the squares count nevertheless
+        val walled = render(fronts + back + square(-20f, -1.9f, 20f, 40f, 0.2f), style.withHiddenBehind(1))
+        val columns = walled.blackColumns(49)
+        for (column in listOf(10, 80)) assertTrue(columns.any { column in it }) { "$columns" }
+        for (column in listOf(30, 44, 56)) assertTrue(columns.none { column in it }) { "$columns" }
+
+        // Neighbours on a fine mesh do not count twice, and leave no crumbs
+        val fine = fronts.map { it.divided(11) }
+        assertArrayEquals(one.argb, render(fine + back, style.withHiddenBehind(1)).argb)
+        assertArrayEquals(all.argb, render(fine + back, style.withHiddenBehind(2)).argb)
+    }
+
+    /** This square as [parts] x [parts] squares. */
+    private fun Mesh.divided(parts: Int): Mesh {
+        val side = parts + 1
+        val (x0, y0) = positions[0] to positions[1]
+        val (x1, y1) = positions[3] to positions[7]
+        val grid = FloatArray(3 * side * side) {
+            val (column, row) = it / 3 % side to it / 3 / side
+            when (it % 3) {
+                0 -> if (column == parts) x1 else x0 + (x1 - x0) * column / parts
+                1 -> if (row == parts) y1 else y0 + (y1 - y0) * row / parts
+                else -> positions[2]
+            }
+        }
+        val corners = (0 until parts * parts).flatMap { cell ->
+            val a = cell / parts * side + cell % parts
+            listOf(a, a + 1, a + side + 1, a, a + side + 1, a + side)
+        }
+        return Mesh(grid, corners.toIntArray(), material)
+    }
+
+    @Test
+    fun deepPartsAreThoseThatManyContain() {
+        val random = Random(1967)
+        repeat(300) {
+            val all = Intervals()
+            repeat(random.nextInt(12)) {
+                val from = random.nextInt(20)
+                all.add(from / 20.0, (from + 1 + random.nextInt(20 - from)) / 20.0)
+            }
+            for (most in 1..4) {
+                val deep = Intervals().apply { setDeep(all, most) }
+                for (place in 0 until 20) {
+                    val t = (place + 0.5) / 20
+                    val containing = (0 until all.count).count { t > all.from(it) && t < all.until(it) }
+                    val isDeep = (0 until deep.count).any { t > deep.from(it) && t < deep.until(it) }
+                    assertEquals(containing > most, isDeep) { "$t" }
+                }
+                for (i in 1 until deep.count) assertTrue(deep.from(i) > deep.until(i - 1))
+            }
+        }
+    }
+
+    @Test
     fun rule_10_2_polygonsHaveEdgesAndHideLines() {
         fun contour(x0: Double, y0: Double, x1: Double, y1: Double) =
             listOf(Vertex(x0, y0, 1.0), Vertex(x1, y0, 1.0), Vertex(x1, y1, 1.0), Vertex(x0, y1, 1.0))
@@ -371,6 +437,7 @@ class EdgeDrawingTest {
         for (wrong in listOf<() -> EdgeStyle>(
             { EdgeStyle(width = 0.0) }, { EdgeStyle(width = 5000.0) }, { EdgeStyle(creaseAngle = -1.0) },
             { EdgeStyle(color = Rgba.TRANSPARENT) }, { EdgeStyle(hiddenColor = Rgba.TRANSPARENT) },
+            { EdgeStyle(hiddenBehind = 0) },
         )) {
             assertThrows(IllegalArgumentException::class.java) { wrong() }
         }

@@ -407,6 +407,13 @@ public object PictureParameters {
     public val HIDDEN_COLOR: PictureParameter<Rgba> =
         row("hidden-color", colors, "Colour of hidden lines, opaque", "grey")
 
+    /** The greatest number of faces that hide a line that is drawn. */
+    @JvmField
+    public val HIDDEN_BEHIND: PictureParameter<Int> = row(
+        "hidden-behind", NamedValues("N", (1..9).associateBy { "$it" }),
+        "Draw hidden lines only where at most N faces hide them, 1..9", "behind any number",
+    )
+
     /**
      * Planes that cut. [PictureSettings.with] replaces those that were chosen before; [PictureSettings.withWord] adds
      * one.

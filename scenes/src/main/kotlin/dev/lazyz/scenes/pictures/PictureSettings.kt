@@ -306,8 +306,9 @@ public class PictureSettings private constructor(
         }
         val onPaper = firstGiven(SCALE, UNIT)
         if (own[SCALE] == null && onPaper != null) refuse("$onPaper needs ${names.of(SCALE)}")
-        if (own[HIDDEN_COLOR] != null && (own[HIDDEN_LINES] ?: HiddenLines.NONE) == HiddenLines.NONE) {
-            refuse("${names.of(HIDDEN_COLOR)} needs ${names.of(HIDDEN_LINES, "dashed")} or solid")
+        val ofHidden = firstGiven(HIDDEN_COLOR, HIDDEN_BEHIND)
+        if (ofHidden != null && (own[HIDDEN_LINES] ?: HiddenLines.NONE) == HiddenLines.NONE) {
+            refuse("$ofHidden needs ${names.of(HIDDEN_LINES, "dashed")} or solid")
         }
     }
 

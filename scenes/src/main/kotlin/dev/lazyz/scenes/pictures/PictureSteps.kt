@@ -305,6 +305,7 @@ internal class PictureSteps(
             settings[PictureParameters.EDGE_COLOR] ?: Rgba.BLACK,
             settings[PictureParameters.HIDDEN_LINES] ?: HiddenLines.NONE,
             settings[PictureParameters.HIDDEN_COLOR] ?: EdgeStyle.HIDDEN_GREY,
+            settings[PictureParameters.HIDDEN_BEHIND] ?: Int.MAX_VALUE,
         )
         return shown.prepared.edges(scene.surfaces, edges)
     }
