@@ -8,17 +8,15 @@ import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.world.Scene
 import dev.lazyz.world.View
-import java.awt.BasicStroke
 import java.awt.Color
 import java.awt.Dimension
 import java.awt.Graphics
 import java.awt.Graphics2D
 import java.awt.RenderingHints
+import java.awt.Transparency
 import java.awt.event.ActionEvent
 import java.awt.event.ComponentAdapter
 import java.awt.event.ComponentEvent
-import java.awt.geom.Ellipse2D
-import java.awt.geom.Line2D
 import java.awt.geom.Point2D
 import java.awt.image.BufferedImage
 import java.nio.file.Path
@@ -197,7 +195,7 @@ public open class ModelView() :
         val look = settings.without(PictureParameters.REGION)
         val whole = side?.let { look.withViewpoint(null).seenFrom(it) } ?: look
         val cutUp = if (cuts.isEmpty()) whole else whole.with(PictureParameters.CUT, cuts)
-        worker.request(Wish(from, orbit?.on(cutUp, from.up) ?: cutUp, pixels))
+        worker.request(Wish(from, orbit?.on(cutUp, checkNotNull(shown).up) ?: cutUp, pixels))
     }
 
     private fun accept(next: Shown): BufferedImage? {
@@ -260,17 +258,26 @@ public open class ModelView() :
     override fun paintComponent(graphics: Graphics) {
         val pen = graphics.create() as Graphics2D
         try {
-            pen.color = background
-            pen.fillRect(0, 0, width, height)
+            if (!isCovered()) {
+                pen.color = background
+                pen.fillRect(0, 0, width, height)
+            }
             shown?.let { paintPicture(pen, it.image) }
             pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON)
-            cut?.let(controls::handle)?.let { dot(pen, it, HANDLE) }
-            selection?.let { place(it.position) }?.let { dot(pen, it, SELECTION) }
+            cut?.let(controls::handle)?.let { pen.drawDot(it, HANDLE) }
+            selection?.let { place(it.position) }?.let { pen.drawDot(it, SELECTION) }
             val text = failure ?: if (shown?.wish?.source === source) null else source?.let { "reading ${it.name} ..." }
-            text?.let { paintText(pen, it) }
+            pen.font = font ?: pen.font
+            text?.let { pen.drawLines(it, foreground ?: Color.BLACK, background) }
         } finally {
             pen.dispose()
         }
+    }
+
+    /** Whether nothing is seen behind the picture. */
+    private fun isCovered(): Boolean = shown?.image.let { image ->
+        image != null && image.transparency == Transparency.OPAQUE &&
+            image.width >= width * scale && image.height >= height * scale
     }
 
     /** Draws pixel by pixel, whatever the scale of the screen is. */
@@ -279,30 +286,6 @@ public open class ModelView() :
         pen.scale(1 / scale, 1 / scale)
         pen.drawImage(image, 0, 0, null)
         pen.transform = before
-    }
-
-    private fun dot(pen: Graphics2D, at: Point2D, color: Color) {
-        val size = 2.0 * HANDLE_RADIUS
-        val circle = Ellipse2D.Double(at.x - HANDLE_RADIUS, at.y - HANDLE_RADIUS, size, size)
-        pen.color = Color.WHITE
-        pen.stroke = BasicStroke(4f)
-        pen.draw(circle)
-        pen.color = color
-        pen.stroke = BasicStroke(2f)
-        pen.draw(circle)
-        pen.draw(Line2D.Double(at.x - 1, at.y, at.x + 1, at.y))
-    }
-
-    private fun paintText(pen: Graphics2D, text: String) {
-        pen.font = font ?: pen.font
-        val metrics = pen.fontMetrics
-        text.lines().forEachIndexed { line, words ->
-            val y = 10 + line * metrics.height
-            pen.color = background
-            pen.fillRect(8, y, metrics.stringWidth(words) + 8, metrics.height)
-            pen.color = foreground ?: Color.BLACK
-            pen.drawString(words, 12, y + metrics.ascent)
-        }
     }
 
     private val accessible by lazy { AccessibleView() }
@@ -353,9 +336,7 @@ public open class ModelView() :
         }
     }
 
-    internal companion object {
-        /** Half the size of a handle, and how far from it a drag may begin. */
-        const val HANDLE_RADIUS = 7.0
+    private companion object {
         private val HANDLE = Color(0xD0, 0x60, 0x00)
         private val SELECTION = Color(0x00, 0x60, 0xD0)
     }

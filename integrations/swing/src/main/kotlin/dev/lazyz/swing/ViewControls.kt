@@ -118,7 +118,7 @@ internal class ViewControls(private val view: ModelView) : MouseAdapter() {
         last = event
         hasMoved = false
         val handle = view.cut?.let(::handle)
-        isCutting = handle != null && handle.distance(event.point) <= ModelView.HANDLE_RADIUS + 2
+        isCutting = handle != null && handle.distance(event.point) <= DOT_RADIUS + 2
     }
 
     override fun mouseDragged(event: MouseEvent) {

@@ -162,6 +162,24 @@ class ModelViewTest {
         assertNotEquals(before, show.pixels())
     }
 
+    /** The axis that points up is not known before a file is read. */
+    @Test
+    fun aFileWithZUpIsReadAgainForTheSameCamera() {
+        val wedge = folder.resolve("wedge.stl")
+        val corners = listOf("0 0 0", "4 0 0", "0 2 0", "0 0 1")
+        val faces = listOf(listOf(0, 2, 1), listOf(0, 1, 3), listOf(0, 3, 2), listOf(1, 2, 3))
+        val facets = faces.joinToString("") { face ->
+            "facet normal 0 0 0\nouter loop\n" + face.joinToString("") { "vertex ${corners[it]}\n" } +
+                "endloop\nendfacet\n"
+        }
+        wedge.writeText("solid wedge\n${facets}endsolid wedge\n")
+        val show = Show().apply { open(wedge) }
+        show.act("Turn left")
+        val turned = show.pixels()
+        show.after { reload() }
+        assertTrue(turned == show.pixels())
+    }
+
     @Test
     fun picturesHaveThePixelsOfTheScreen() {
         val show = Show(scale = 2.0).apply { open(car) }
