@@ -55,6 +55,7 @@ class RaycastRendererTest {
         // A sheet may be nearer than the visible one only if their extents of depth overlap
         val counters = counted(Stacks.layers(Raster(64, 64), 200, Submission.SHUFFLED, steepness = 10.0))
         assertTrue(counters.depthEvaluations < 11 * 64 * 64, "$counters")
+        assertTrue(counters.depthPasses in 64 * 64 until counters.depthEvaluations, "$counters")
     }
 
     @Test
