@@ -14,9 +14,7 @@ import dev.lazyz.spi.Srgb
  * renderer.render(frame, sky.behind(frame.region, 480, sink))
  * ```
  *
- * The frame has a transparent background. Each row of pixels is composited over the gradient in linear light, so all
- * renderers, options and regions work, and pixels of a region are those of the whole picture. With [SuperSampling], the
- * gradient is behind the pixels, not the samples. Depths and primitives are passed on unchanged.
+ * With [SuperSampling], the gradient is behind the pixels, not the samples.
  *
  * The gradient is linear in the codes of sRGB, as in CSS ("CSS Images Level 3", section 3.4), which looks even. Its
  * colour in row y, counted from 0, is that at (y + 1/2) / height of the way. Translucent pixels have 8 bits a component
@@ -28,7 +26,7 @@ import dev.lazyz.spi.Srgb
  * @property bottom the colour at the lower edge
  * @throws IllegalArgumentException if a colour is not opaque
  */
-public class VerticalGradient(public val top: Rgba, public val bottom: Rgba) {
+public class VerticalGradient(public val top: Rgba, public val bottom: Rgba) : PixelBackground {
     init {
         require(top.alpha >= 1f && bottom.alpha >= 1f) { "colours of a gradient must be opaque: $top, $bottom" }
     }
@@ -36,44 +34,21 @@ public class VerticalGradient(public val top: Rgba, public val bottom: Rgba) {
     private val first = top.toArgb()
     private val last = bottom.toArgb()
 
-    /**
-     * Returns a sink for rows of [region], a part of a picture with [height] rows. It passes opaque rows to [sink]. Not
-     * thread safe.
-     *
-     * @throws IllegalArgumentException if the region reaches below the picture
-     */
-    public fun behind(region: Region, height: Int, sink: RowSink): RowSink {
+    override fun behind(region: Region, height: Int, sink: RowSink): RowSink {
         require(region.rowEnd <= height) { "$region must be within $height rows" }
         return RowSink { y, argb, depth, primitive ->
             val way = (y + 0.5) / height
-            val red = Component(16, way)
-            val green = Component(8, way)
-            val blue = Component(0, way)
-            for (x in 0 until region.width) {
-                val color = argb[x]
-                val alpha = color ushr 24
-                if (alpha == 0xFF) continue
-                argb[x] = 0xFF shl 24 or red.behind(color, alpha) or green.behind(color, alpha) or
-                    blue.behind(color, alpha)
-            }
+            val light = DoubleArray(3) { component(16 - 8 * it, way) }
+            for (x in 0 until region.width) argb[x] = composited(argb[x], light)
             sink.row(y, argb, depth, primitive)
         }
     }
 
-    /** Red, green or blue of one row: the 8 bits from [shift] on. */
-    private inner class Component(private val shift: Int, way: Double) {
-        private val light: Double
-
-        init {
-            val from = first ushr shift and 0xFF
-            val to = last ushr shift and 0xFF
-            light = Srgb.decode((from + (to - from) * way) / 255.0)
-        }
-
-        fun behind(color: Int, alpha: Int): Int {
-            val front = Srgb.decode(color ushr shift and 0xFF)
-            return Srgb.encode(((alpha * front + (255 - alpha) * light) / 255.0).toFloat()) shl shift
-        }
+    /** Returns red, green or blue of one row: the 8 bits from [shift] on. */
+    private fun component(shift: Int, way: Double): Double {
+        val from = first ushr shift and 0xFF
+        val to = last ushr shift and 0xFF
+        return Srgb.decode((from + (to - from) * way) / 255.0)
     }
 
     override fun toString(): String = "VerticalGradient($top, $bottom)"

@@ -3,9 +3,9 @@ package dev.lazyz.shading
 import dev.lazyz.Rgba
 import dev.lazyz.shading.light.LightSources
 import dev.lazyz.shading.light.Viewer
+import dev.lazyz.shading.pbr.EnvironmentView
 import dev.lazyz.shading.pbr.LobeLighting
 import dev.lazyz.shading.pbr.PhysicalLighting
-import dev.lazyz.shading.pbr.StudioView
 import dev.lazyz.world.Camera
 import dev.lazyz.world.SceneLight
 import dev.lazyz.world.material.Material
@@ -29,13 +29,13 @@ internal class Lighting(light: SceneLight, camera: Camera) {
     val ofBatches: BatchLighting = BatchLighting(viewer, sources, visibility)
 
     private val physicalSources = LightSources(light.physical)
-    private val studio = StudioView.of(light.environment, camera)
+    private val environment = EnvironmentView.of(light.environment, camera)
 
     /** The light of physically based materials. */
-    val physical: PhysicalLighting = PhysicalLighting(viewer, physicalSources, studio, visibility)
+    val physical: PhysicalLighting = PhysicalLighting(viewer, physicalSources, environment, visibility)
 
     /** The light of those with lobes. */
-    val lobes: LobeLighting = LobeLighting(viewer, physicalSources, studio, visibility, physical)
+    val lobes: LobeLighting = LobeLighting(viewer, physicalSources, environment, visibility, physical)
 
     /** What becomes of colours at the end; null if they stay as they are. */
     val toneMapper: ToneMapper? = ToneMapper.of(light.toneMapping)

@@ -10,48 +10,69 @@ import org.joml.Vector3dc
  * Light from all directions that materials with [MetallicRoughness] reflect (contract rule 6.10). Immutable and thread
  * safe.
  *
- * There is one kind of environment, a photographer's studio: grey walls, and soft boxes at the upper left, at the
- * right, above and behind. It turns with the camera, but stays upright. Other materials do not reflect it.
+ * It is a photographer's studio, or a picture of real surroundings. The studio has grey walls, and soft boxes at the
+ * upper left, at the right, above and behind; it turns with the camera, but stays upright. A picture stays in place.
+ * Other materials do not reflect either.
  *
  * @property intensity factor of all its light; 0 for no environment
- * @throws IllegalArgumentException if [intensity] is negative or not finite
+ * @property map the picture, or null for the studio
+ * @property rotation where the middle of the picture is, degrees around the y axis: 0 in front, at z, and 90 at the
+ *   right, at x
+ * @throws IllegalArgumentException if [intensity] is negative or not finite, or [rotation] is not finite
  */
-public class Environment private constructor(public val intensity: Float) {
+public class Environment private constructor(
+    public val intensity: Float,
+    public val map: EnvironmentMap?,
+    public val rotation: Double,
+) {
     init {
         require(intensity >= 0f && intensity.isFinite()) {
             "intensity of an environment must be 0 or more: $intensity"
         }
+        require(rotation.isFinite()) { "rotation of an environment must be finite: $rotation" }
     }
 
-    override fun equals(other: Any?): Boolean = other is Environment && intensity.compareTo(other.intensity) == 0
+    /** Returns this environment with its light multiplied by [factor]. */
+    internal fun scaled(factor: Float): Environment =
+        Environment(minOf(intensity * factor, Float.MAX_VALUE), map, rotation)
 
-    override fun hashCode(): Int = intensity.hashCode()
+    override fun equals(other: Any?): Boolean = other is Environment && map === other.map &&
+        intensity.compareTo(other.intensity) == 0 && rotation.compareTo(other.rotation) == 0
 
-    override fun toString(): String = "Environment.studio($intensity)"
+    override fun hashCode(): Int = intensity.hashCode() + 31 * rotation.hashCode()
+
+    override fun toString(): String =
+        if (map == null) "Environment.studio($intensity)" else "Environment.of($map, $intensity, $rotation)"
 
     public companion object {
         /** No environment: metals only reflect the lights of the scene. */
         @JvmField
-        public val NONE: Environment = Environment(0f)
+        public val NONE: Environment = Environment(0f, null, 0.0)
 
         /**
          * The studio with 0.7 of its light: a white surface stays darker than white, so that it is visible in front of
          * a white background.
          */
         @JvmField
-        public val USUAL: Environment = Environment(0.7f)
+        public val USUAL: Environment = Environment(0.7f, null, 0.0)
 
         /**
          * The studio with 0.3 of its light, for scenes with lights of their own: metals have something to reflect, and
          * white surfaces stay darker than white.
          */
         @JvmField
-        public val FAINT: Environment = Environment(0.3f)
+        public val FAINT: Environment = Environment(0.3f, null, 0.0)
 
         /** Returns the studio, with its light multiplied by [intensity], 0 or more. */
         @JvmStatic
         @JvmOverloads
-        public fun studio(intensity: Float = 1f): Environment = Environment(intensity)
+        public fun studio(intensity: Float = 1f): Environment = Environment(intensity, null, 0.0)
+
+        /** Returns the surroundings in a picture; see the properties. */
+        @JvmStatic
+        @JvmOverloads
+        public fun of(map: EnvironmentMap, intensity: Float = 1f, rotation: Double = 0.0): Environment =
+            Environment(intensity, map, rotation)
     }
 }
 

@@ -136,11 +136,10 @@ public class Scene private constructor(
 
     private fun setUp(raster: Raster, workers: Workers, checkpoint: Checkpoint): SetUp {
         val camera = camera(raster.width, raster.height)
-        val usual = if (lights.isEmpty()) Environment.USUAL else Environment.FAINT
         val light = SceneLight(
             scaled(lights.ifEmpty { Light.studio(camera) }),
             scaled(lights),
-            scaled(environment ?: usual),
+            effectiveEnvironment,
             effectiveToneMapping,
             ambientVisibility,
         )
@@ -150,11 +149,12 @@ public class Scene private constructor(
         return SetUp(raster, camera, light, shadingOrigin, workers, checkpoint)
     }
 
-    private fun scaled(environment: Environment): Environment = if (lightIntensity == 1f) {
-        environment
-    } else {
-        Environment.studio(minOf(environment.intensity * lightIntensity, Float.MAX_VALUE))
-    }
+    /** The [environment], or the default one for this scene if it is null, times the [lightIntensity]. */
+    internal val effectiveEnvironment: Environment
+        get() {
+            val own = environment ?: if (lights.isEmpty()) Environment.USUAL else Environment.FAINT
+            return if (lightIntensity == 1f) own else own.scaled(lightIntensity)
+        }
 
     private fun scaled(lights: List<Light>): List<Light> =
         if (lightIntensity == 1f) lights else lights.map { it.scaled(lightIntensity) }

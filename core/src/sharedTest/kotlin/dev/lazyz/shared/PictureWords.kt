@@ -23,7 +23,7 @@ object PictureWords {
         "aa" to listOf("1", "8", "3"),
         "aa-filter" to listOf("box", "mitchell", "none"),
         "shading-rate" to listOf("sample", "pixel", "auto", "row"),
-        "background" to listOf("transparent", "skyblue,f80", "red,8888"),
+        "background" to listOf("transparent", "skyblue,f80", "environment", "red,8888"),
         "color" to listOf("tomato", "ff008880", "tomatoe"),
         "texture" to listOf("picture.png", "picture.png", "-"),
         "shading" to listOf("flat", "constant", "matt"),
@@ -35,6 +35,9 @@ object PictureWords {
         "style" to listOf("technical", "product", "comic"),
         "light" to listOf("sun", "flat", "moon"),
         "light-intensity" to listOf("0", "1000", "-0.5"),
+        "environment" to listOf("sky.hdr", "studio", "-"),
+        "environment-rotation" to listOf("-1e6", "12.5", "1e7"),
+        "environment-intensity" to listOf("0", "1000", "-0.5"),
         "ambient-occlusion" to listOf("true", "true", ""),
         "ground-shadow" to listOf("true", "true", ""),
         "matcap" to listOf("picture.png", "picture.png", "-"),
@@ -97,11 +100,18 @@ object PictureWords {
         return ByteArrayOutputStream().also { ImageIO.write(image, "png", it) }.toByteArray()
     }
 
-    /** An archive with [model], an OBJ file, and the picture. */
+    /** The file that words call `sky.hdr`: a picture of surroundings, brighter above. */
+    fun sky(): ByteArray = "#?RADIANCE\n\n-Y 4 +X 8\n".toByteArray() +
+        ByteArray(4 * 8 * 4) { if (it % 4 == 3) 128.toByte() else (250 - it).toByte() }
+
+    /** The files that words name. */
+    val files: Map<String, ByteArray> get() = mapOf("picture.png" to picture(), "sky.hdr" to sky())
+
+    /** An archive with [model], an OBJ file, and the files that words name. */
     fun archive(model: ByteArray): ByteArray {
         val bytes = ByteArrayOutputStream()
         ZipOutputStream(bytes).use { zip ->
-            for ((name, content) in mapOf("model.obj" to model, "picture.png" to picture())) {
+            for ((name, content) in mapOf("model.obj" to model) + files) {
                 zip.putNextEntry(ZipEntry(name))
                 zip.write(content)
             }

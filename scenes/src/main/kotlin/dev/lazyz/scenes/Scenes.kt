@@ -1,9 +1,11 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.RenderOptions
 import dev.lazyz.scenes.builtin.Builtins
 import dev.lazyz.scenes.formats.FormatSniffer
 import dev.lazyz.scenes.formats.SceneReading
 import dev.lazyz.scenes.formats.StreamReading
+import dev.lazyz.world.EnvironmentMap
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Texture
 import java.io.InputStream
@@ -206,6 +208,23 @@ public object Scenes {
     @JvmOverloads
     @Throws(SceneFormatException::class)
     public fun texture(path: Path, limits: LoadLimits = LoadLimits()): Texture = SceneReading.texture(path, limits)
+
+    /**
+     * Reads a picture of surroundings, a Radiance file (`.hdr`), for [dev.lazyz.world.Environment.of]. The maps of the
+     * last few contents are kept while there is memory. Cost: two or three seconds of processor time for others.
+     *
+     * @param options [RenderOptions.threads] and [RenderOptions.executor] are used, the others are not
+     * @throws SceneFormatException if the file is not such a picture, or a limit is exceeded; a [SceneReadException] if
+     *   it cannot be read
+     */
+    @JvmStatic
+    @JvmOverloads
+    @Throws(SceneFormatException::class)
+    public fun environment(
+        path: Path,
+        limits: LoadLimits = LoadLimits(),
+        options: RenderOptions = RenderOptions(),
+    ): EnvironmentMap = SceneReading.environment(path, limits, options) {}
 
     /**
      * Returns the Utah teapot; see [Builtin].

@@ -98,8 +98,8 @@ internal class FrameSource(
     /** Returns a picture of nothing, of the size that the options choose. */
     fun blank(options: RenderOptions): PictureFrame {
         val others = PictureParameters.all.filter {
-            it.group == ParameterGroup.CAMERA || it.group == ParameterGroup.LINES ||
-                it == PictureParameters.TEXTURE || it == PictureParameters.MATCAP
+            it.group in listOf(ParameterGroup.CAMERA, ParameterGroup.LIGHT, ParameterGroup.LINES) ||
+                it == PictureParameters.TEXTURE
         }
         val settings = others.fold(shown.settings) { all, other -> all.without(other) }
         return settings.frame(LoadedScene(Scene(emptyList()), emptyList()), options)
@@ -148,8 +148,6 @@ internal class ShownInput(
 ) {
     val format: SceneFormat? = settings[PictureParameters.FORMAT]
     val loading: LoadOptions = settings.loadOptions(limits)
-    private val texture = settings[PictureParameters.TEXTURE]
-    private val matcap = settings[PictureParameters.MATCAP]
 
     init {
         settings.check()
@@ -162,10 +160,9 @@ internal class ShownInput(
      */
     fun requireKept(outputs: OutputPlaces) {
         outputs.requireNone(listOfNotNull(Input(input, format).file), "an input")
-        outputs.requireNone(listOfNotNull(texture), "the input of --texture")
-        outputs.requireNone(listOfNotNull(matcap), "the input of --matcap")
+        for ((parameter, file) in settings.files) outputs.requireNone(listOf(file), "the input of --${parameter.name}")
     }
 
     /** The files that the options name. */
-    val files: List<Path> get() = listOfNotNull(Input(input, format).file, texture, matcap)
+    val files: List<Path> get() = listOfNotNull(Input(input, format).file) + settings.files.values
 }

@@ -49,13 +49,23 @@ class ParameterOptionsTest {
     @Test
     fun eachParameterIsAnOptionWithTheSamePicturesAndMessages() {
         val model = folder.wedge()
-        val picture = folder.resolve("picture.png")
-        zcli("render", "teapot", "--size", "16", "-o", picture).done()
+        for ((name, bytes) in PictureWords.files) folder.resolve(name).writeBytes(bytes)
         val names = PictureDoor.COMMAND_LINE.parameters.filter { it.group != ParameterGroup.PAPER }.map { it.name }
         for (words in PictureWords.combinations(names)) {
             // A switch has no value
             if ("" in words.values) continue
-            assertSame(model, words.mapValues { (_, word) -> if (word == "picture.png") "$picture" else word })
+            assertSame(
+                model,
+                words.mapValues { (_, word) ->
+                    if (word in
+                        PictureWords.files
+                    ) {
+                        "${folder.resolve(word)}"
+                    } else {
+                        word
+                    }
+                }
+            )
         }
     }
 

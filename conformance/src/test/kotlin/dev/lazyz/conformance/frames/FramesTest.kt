@@ -94,7 +94,7 @@ class FramesTest {
         }
         val seldom =
             listOf("Points(", "Lines(", "Spot(", "Falloff.inverse", "withEnvironment", "ToneMapping.Curve.ACES") +
-                listOf("withLightIntensity", "withAmbientVisibility") +
+                listOf("withLightIntensity", "withAmbientVisibility", "Skies.map") +
                 listOf("uvs2", "tangents", "MipFilter.TRILINEAR", "MipFilter.ANISOTROPIC", "Texture.Encoding.LINEAR") +
                 listOf("UvTransform", "MetallicRoughness", "NormalMap", "OcclusionMap", "withEmissionMap")
         for (word in seldom) {

@@ -13,13 +13,14 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * Light as contract rules 6.5, 6.8 and 6.13 define it, in double precision: an oracle for the library's own light. It
- * does not know ambient light and the environment on metallic-roughness materials.
+ * Light as contract rules 6.5, 6.8, 6.10 and 6.13 define it, in double precision: an oracle for the library's own
+ * light. It does not know ambient light and the studio on metallic-roughness materials.
  *
  * @param classical the lights of other materials
  * @param physical the lights of metallic-roughness materials
  * @param intensity factor of all lights
  * @param visibility which part of ambient light reaches a point, or null
+ * @param surroundings what metallic-roughness materials reflect, or null
  */
 internal class ExactLight(
     private val camera: Camera,
@@ -27,6 +28,7 @@ internal class ExactLight(
     private val physical: List<Light>,
     private val intensity: Double,
     private val visibility: AmbientVisibility?,
+    private val surroundings: ExactEnvironment?,
 ) {
     private val isPerspective = camera.projection is Projection.Perspective
 
@@ -90,9 +92,10 @@ internal class ExactLight(
     }
 
     /**
-     * Returns the light that a metallic-roughness surface of the base colour [color] reflects: rule 6.8. Null where
-     * rounding decides.
+     * Returns the light that a metallic-roughness surface of the base colour [color] reflects: rules 6.8 and 6.10. Null
+     * where rounding decides.
      *
+     * @param occlusion factor of the surroundings
      * @param graze as in [at]
      */
     fun reflected(
@@ -102,25 +105,62 @@ internal class ExactLight(
         specular: Lobes.Specular?,
         stretch: Stretch?,
         place: Place,
+        occlusion: Double,
         graze: Double,
     ): DoubleArray? {
         val strength = specular?.strength?.toDouble() ?: 1.0
         val tint = specular?.let { parts(it.color) } ?: doubleArrayOf(1.0, 1.0, 1.0)
         val atNormal = specular?.refraction?.toDouble()?.let { Math.pow((it - 1) / (it + 1), 2.0) } ?: 0.04
         val f90 = strength * (1 - metallic) + metallic
-        return fromLights(DoubleArray(3), place, roughness, graze, stretch) { k, grazing, lobe ->
-            val f0 = minOf(atNormal * tint[k], 1.0) * strength * (1 - metallic) + color[k] * metallic
-            val f = f0 + (f90 - f0) * grazing
-            (1 - f) * (color[k] * (1 - metallic)) + f * lobe
+        val f0 = DoubleArray(3) {
+            minOf(atNormal * tint[it], 1.0) * strength * (1 - metallic) + color[it] * metallic
         }
+        val diffuse = DoubleArray(3) { color[it] * (1 - metallic) }
+        val sum = fromLights(DoubleArray(3), place, roughness, graze, stretch) { k, grazing, lobe ->
+            val f = f0[k] + (f90 - f0[k]) * grazing
+            (1 - f) * diffuse[k] + f * lobe
+        }
+        if (sum == null || surroundings == null) return sum
+        val v = toViewer(place.point).normalize()
+        val n = unitNormal(place.normal, v) ?: return null
+        val r = mirrored(v, if (stretch == null) n else bent(n, v, roughness, stretch))
+        val open = visible(place.point, n)
+        val around = surroundings.reflected(f0, diffuse, f90, roughness, n, r, Math.abs(n.dot(v)), open)
+        return DoubleArray(3) { sum[it] + occlusion * around[it] }
     }
 
-    /** Returns the light [below] a clear coat and that of the coat: rule 6.16. The parameters are as in [reflected]. */
-    fun coated(below: DoubleArray, coat: Lobes.Clearcoat, place: Place, graze: Double): DoubleArray? {
+    private fun mirrored(v: Vector3d, n: Vector3d) = Vector3d(n).mul(2 * n.dot(v)).sub(v)
+
+    /** The normal of rule 6.16 that mirrors the light of the surroundings. */
+    private fun bent(n: Vector3d, v: Vector3d, roughness: Double, stretch: Stretch): Vector3d {
+        val along = Vector3d(v).sub(Vector3d(stretch.across).mul(stretch.across.dot(v)))
+        val k = Math.pow(1 - stretch.strength * (1 - roughness), 4.0)
+        return along.mul(1 - k).add(Vector3d(n).mul(k)).normalize()
+    }
+
+    /**
+     * Returns the light [below] a clear coat and that of the coat: rule 6.16. The parameters are as in [reflected].
+     *
+     * @param base the normal below the coat
+     */
+    fun coated(
+        below: DoubleArray,
+        coat: Lobes.Clearcoat,
+        place: Place,
+        base: Vector3dc,
+        occlusion: Double,
+        graze: Double,
+    ): DoubleArray? {
         val v = toViewer(place.point).normalize()
         val n = unitNormal(place.normal, v) ?: return null
         val weight = coat.strength * (0.04 + 0.96 * Math.pow(1 - minOf(1.0, Math.abs(n.dot(v))), 5.0))
-        val rest = DoubleArray(3) { below[it] * (1 - weight) }
+        val around = if (surroundings == null) {
+            DoubleArray(3)
+        } else {
+            val open = occlusion * visible(place.point, unitNormal(base, v) ?: return null)
+            surroundings.radiance(mirrored(v, n), coat.roughness.toDouble()).map { it * open }.toDoubleArray()
+        }
+        val rest = DoubleArray(3) { below[it] * (1 - weight) + weight * around[it] }
         return fromLights(rest, place, coat.roughness.toDouble(), graze, null) { _, _, lobe -> weight * lobe }
     }
 

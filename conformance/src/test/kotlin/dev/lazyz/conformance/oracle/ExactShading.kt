@@ -30,7 +30,7 @@ internal fun interface ExactColor {
  *
  * It uses nothing of set-up: it projects, clips, interpolates, lights and reads textures itself. Where the last bits
  * decide, the result is undefined or has several correct values: normals across the face, grazing light, borders of
- * texels. It does not know points, lines, mip filters, and ambient light and the environment on metallic-roughness
+ * texels. It does not know points, lines, mip filters, and ambient light and the studio on metallic-roughness
  * materials.
  */
 internal class ExactShading(scene: Scene, private val raster: Raster) {
@@ -41,6 +41,7 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         scene.lights,
         scene.lightIntensity.toDouble(),
         scene.ambientVisibility,
+        scene.environment?.takeIf { it.map != null }?.let { ExactEnvironment(it, scene.lightIntensity.toDouble()) },
     )
     private val toneMapping = ExactToneMapping(scene.effectiveToneMapping)
 
@@ -189,19 +190,20 @@ internal class ExactShading(scene: Scene, private val raster: Raster) {
         isPhong: Boolean,
         graze: Double,
     ): DoubleArray? {
+        val occlusion = 1 + (material.occlusionMap?.strength ?: 0f) * (texels.occlusion - 1)
         val model = material.metallicRoughness
         if (model != null) {
             val (metallic, roughness) = model.metallic * texels.metallic to model.roughness * texels.roughness
             val lobes = model.lobes
-            val reflected =
-                light.reflected(own, metallic, roughness, lobes?.specular, stretch, place, graze) ?: return null
+            val reflected = light.reflected(
+                own, metallic, roughness, lobes?.specular, stretch, place, occlusion, graze,
+            ) ?: return null
             if (lobes == null) return sum(reflected, emission(material))
             val emitted = ExactLight.parts(material.emission)
             val below = DoubleArray(3) { reflected[it] + emitted[it] * texels.emission[it] }
             val coat = lobes.clearcoat ?: return below
-            return light.coated(below, coat, ExactLight.Place(place.point, ownNormal), graze)
+            return light.coated(below, coat, ExactLight.Place(place.point, ownNormal), place.normal, occlusion, graze)
         }
-        val occlusion = 1 + (material.occlusionMap?.strength ?: 0f) * (texels.occlusion - 1)
         val sum = light.at(material, emission(material), occlusion, place, isPhong, graze) ?: return null
         return DoubleArray(3) { own[it] * sum.factor[it] + sum.summand[it] }
     }

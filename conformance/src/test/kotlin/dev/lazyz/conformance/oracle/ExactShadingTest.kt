@@ -70,6 +70,8 @@ class ExactShadingTest {
             "visibility" to LightChanges::loseVisibility,
             "visibility from behind" to LightChanges::turnVisibility,
             "stronger light" to LightChanges::dimLights,
+            "environment" to LightChanges::loseEnvironment,
+            "turned environment" to LightChanges::turnEnvironment,
         )
         for ((name, mistake) in mistakes) {
             val fault = cases.firstNotNullOfOrNull { case ->
@@ -94,7 +96,7 @@ class ExactShadingTest {
         val known = scene.withSurfaces(scene.surfaces.filterNot { it is Points || it is Lines })
             .withMaterials { withKnownLobes(it.withMipFilter(MipFilter.NONE)) }
             .withLights(if (isPhysical) lights.filterNot { it is Light.Ambient } else scene.lights)
-            .withEnvironment(Environment.NONE)
+            .withEnvironment(scene.environment?.takeIf { it.map != null } ?: Environment.NONE)
         FrameCase(known.frame(raster), "// without what the oracle does not know\n${case.code}", known)
     }
 

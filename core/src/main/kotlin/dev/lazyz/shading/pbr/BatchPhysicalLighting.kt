@@ -21,7 +21,7 @@ import kotlin.math.sqrt
 internal class BatchPhysicalLighting(
     viewer: Viewer,
     private val sources: LightSources,
-    private val studio: StudioView?,
+    private val environment: EnvironmentView?,
     private val visibility: AmbientVisibility?,
 ) {
     private val vectors = LightVectors(viewer, sources, visibility)
@@ -141,10 +141,10 @@ internal class BatchPhysicalLighting(
 
     private fun indirect(batch: FragmentBatch, scratch: Array<FloatArray>) {
         val count = batch.size
-        if (studio == null) {
+        if (environment == null) {
             for (array in RADIANCE until RADIANCE + 6) scratch[array].fill(0f, 0, count)
         } else {
-            store(studio, scratch, batch.surface, count)
+            store(environment, scratch, batch.surface, count)
         }
         split(scratch[NORMAL_DOT_VIEW], scratch[ROUGHNESS], scratch[SCALE], scratch[BIAS], count)
         val open = if (visibility == null) null else scratch[OPEN]
@@ -157,17 +157,16 @@ internal class BatchPhysicalLighting(
         gather(batch.blue, scratch, 2, open, count)
     }
 
-    /** Stores the light of the studio, fragment by fragment: loops over arrays take as long. */
-    private fun store(studio: StudioView, scratch: Array<FloatArray>, surface: FloatArray, count: Int) {
+    /** Stores the light of the environment, fragment by fragment: loops over arrays take as long. */
+    private fun store(environment: EnvironmentView, scratch: Array<FloatArray>, surface: FloatArray, count: Int) {
         val (nx, ny, nz) = List(3) { scratch[LightVectors.NORMAL + it] }
         val (vx, vy, vz) = List(3) { scratch[LightVectors.VIEW + it] }
         for (i in 0 until count) {
             val twice = 2f * scratch[NORMAL_DOT_VIEW][i]
-            val roughness = scratch[ROUGHNESS][i]
-            studio.radiance(
-                twice * nx[i] - vx[i], twice * ny[i] - vy[i], twice * nz[i] - vz[i], roughness * roughness, surface,
+            environment.radiance(
+                twice * nx[i] - vx[i], twice * ny[i] - vy[i], twice * nz[i] - vz[i], scratch[ROUGHNESS][i], surface,
             )
-            studio.irradiance(nx[i], ny[i], nz[i], surface)
+            environment.irradiance(nx[i], ny[i], nz[i], surface)
             for (k in 0 until 6) scratch[RADIANCE + k][i] = surface[PhysicalSurface.RADIANCE + k]
         }
     }
@@ -242,7 +241,7 @@ internal class BatchPhysicalLighting(
         /** Cosines between normals and viewer. */
         const val NORMAL_DOT_VIEW: Int = ROUGHNESS + 1
 
-        /** The light of the studio around the reflected ray, and on a matt surface. */
+        /** The light of the environment around the reflected ray, and on a matt surface. */
         const val RADIANCE: Int = NORMAL_DOT_VIEW + 1
         const val IRRADIANCE: Int = RADIANCE + 3
 

@@ -15,7 +15,7 @@ import kotlin.math.abs
 internal class LobeLighting(
     private val viewer: Viewer,
     private val sources: LightSources,
-    private val studio: StudioView?,
+    private val environment: EnvironmentView?,
     private val visibility: AmbientVisibility?,
     private val base: PhysicalLighting,
 ) {
@@ -130,8 +130,8 @@ internal class LobeLighting(
             val weight = surface[PhysicalSurface.COAT] * fresnel
             cover(surface, 1f - weight, out)
             surface.fill(0f, PhysicalSurface.RADIANCE, PhysicalSurface.RADIANCE + 3)
-            studio?.radiance(
-                2f * along * nx - vx, 2f * along * ny - vy, 2f * along * nz - vz, roughness * roughness, surface,
+            environment?.radiance(
+                2f * along * nx - vx, 2f * along * ny - vy, 2f * along * nz - vz, roughness, surface,
             )
             for (channel in 0 until 3) {
                 out[channel] += weight * (surface[PhysicalSurface.RADIANCE + channel] + sources.ambient[channel]) * open
@@ -156,7 +156,7 @@ internal class LobeLighting(
     /** Stores the light from all sides around the direction (x, y, z) in [surface]. */
     private fun irradiance(surface: FloatArray, x: Float, y: Float, z: Float) {
         surface.fill(0f, PhysicalSurface.IRRADIANCE, PhysicalSurface.IRRADIANCE + 3)
-        studio?.irradiance(x, y, z, surface)
+        environment?.irradiance(x, y, z, surface)
         for (channel in 0 until 3) surface[PhysicalSurface.IRRADIANCE + channel] += sources.ambient[channel]
     }
 

@@ -11,23 +11,24 @@ import kotlin.math.sqrt
  * Immutable and thread safe.
  *
  * Lights with a position or a direction follow glTF 2.0, appendix B, exactly. Ambient light, which is equal from all
- * directions, and the [studio] use the split sum, with the light that is reflected more than once between microfacets:
- * C. Fdez-Agüera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", JCGT 8 (2019).
+ * directions, and the [environment] use the split sum, with the light that is reflected more than once between
+ * microfacets: C. Fdez-Agüera, "A Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", JCGT 8
+ * (2019).
  */
 internal class PhysicalLighting(
     private val viewer: Viewer,
     private val sources: LightSources,
-    private val studio: StudioView?,
+    private val environment: EnvironmentView?,
     private val visibility: AmbientVisibility?,
 ) {
     /** The same for many fragments at a time. */
-    val ofBatches: BatchPhysicalLighting = BatchPhysicalLighting(viewer, sources, studio, visibility)
+    val ofBatches: BatchPhysicalLighting = BatchPhysicalLighting(viewer, sources, environment, visibility)
 
     /**
      * Adds the reflected light to 0..2 of [out].
      *
      * @param surface the material at the point, see [PhysicalSurface]
-     * @param occlusion factor of ambient light and of the studio
+     * @param occlusion factor of ambient light and of the environment
      */
     fun illuminate(
         surface: FloatArray,
@@ -96,7 +97,7 @@ internal class PhysicalLighting(
     }
 
     /**
-     * Adds the reflected ambient light and that of the studio.
+     * Adds the reflected ambient light and that of the environment.
      *
      * @param open the part of the light that reaches the point
      * @param rx the x of the reflected direction
@@ -118,10 +119,9 @@ internal class PhysicalLighting(
         val ambient = sources.ambient
         val roughness = surface[PhysicalSurface.ROUGHNESS]
         surface.fill(0f, PhysicalSurface.RADIANCE, PhysicalSurface.GRAZING)
-        if (studio != null) {
-            val alpha = roughness * roughness
-            studio.radiance(rx, ry, rz, alpha, surface)
-            studio.irradiance(nx, ny, nz, surface)
+        if (environment != null) {
+            environment.radiance(rx, ry, rz, roughness, surface)
+            environment.irradiance(nx, ny, nz, surface)
         }
         val f90 = surface[PhysicalSurface.GRAZING]
         DirectionalAlbedo.at(minOf(abs(along), 1f), roughness) { scale, bias ->

@@ -1,14 +1,13 @@
 package dev.lazyz.shading.pbr
 
+import dev.lazyz.world.Irradiance
+import dev.lazyz.world.Surroundings
+
 /**
  * The light of the studio by direction (contract rule 6.10): walls that are darker below, and soft boxes. In its space,
  * y points up, and z to the side on which the viewer is.
- *
- * [radiance] is what a surface of a given roughness reflects from around a direction, and [irradiance] what a matt
- * surface receives. The latter uses the first nine spherical harmonics of the light, computed once: R. Ramamoorthi and
- * P. Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001.
  */
-internal object Studio {
+internal object Studio : Surroundings {
     private val boxes: Array<SoftBox> = arrayOf(
         // Key light at the upper left, fill light at the right, above, and behind at the left and at the right; and a
         // dim light at the camera, which is what black glossy surfaces show where they face it
@@ -25,23 +24,20 @@ internal object Studio {
     private const val RISE = 0.12f
     private const val BEND = 0.04f
 
-    /** Nine coefficients of the irradiance for red, green and blue. */
-    private val harmonics: Array<FloatArray> = Array(3) { FloatArray(9) }
+    private val irradiance = Irradiance()
 
     init {
         integrate()
     }
 
     /**
-     * Stores the light around the unit vector (x, y, z), blurred by microfacets of the width [alpha], in [out] at
-     * [at] and the two elements after it.
-     *
-     * For alpha 1, the blur is that of a matt surface, exactly: [irradiance]. For smaller ones, it is a mean of this,
-     * with the weight alpha, and of the light of walls and boxes blurred one by one. Compared with the integral over
-     * the reflected light, in which each direction has the weight of its cosine, the root mean square of the difference
-     * is at most 0.13; the light is 0.7 on average.
+     * For the roughness 1, the blur is that of a matt surface, exactly: the irradiance. For smaller ones, it is a mean
+     * of this, with the weight alpha, and of the light of walls and boxes blurred one by one. Compared with the
+     * integral over the reflected light, in which each direction has the weight of its cosine, the root mean square of
+     * the difference is at most 0.13; the light is 0.7 on average.
      */
-    fun radiance(x: Float, y: Float, z: Float, alpha: Float, out: FloatArray, at: Int) {
+    override fun radiance(x: Float, y: Float, z: Float, roughness: Float, out: FloatArray, at: Int) {
+        val alpha = roughness * roughness
         irradiance(x, y, z, out, at)
         val wall = wall(y, alpha)
         for (channel in 0 until 3) out[at + channel] = alpha * out[at + channel] + (1f - alpha) * wall
@@ -55,13 +51,7 @@ internal object Studio {
         }
     }
 
-    /** Stores the mean light that a matt surface with the unit normal (x, y, z) receives in [out]. */
-    fun irradiance(x: Float, y: Float, z: Float, out: FloatArray, at: Int) {
-        for (channel in 0 until 3) {
-            val sum = sum(harmonics[channel], x, y, z)
-            out[at + channel] = if (sum > 0f) sum else 0f
-        }
-    }
+    override fun irradiance(x: Float, y: Float, z: Float, out: FloatArray, at: Int) = irradiance.at(x, y, z, out, at)
 
     /** Returns the light of the walls around a direction, blurred by microfacets of the width [alpha]. */
     private fun wall(y: Float, alpha: Float): Float =
@@ -70,13 +60,7 @@ internal object Studio {
     /** Returns the width by which the light of a box is blurred. */
     private fun blur(alpha: Float): Float = EDGE + alpha * NARROW / (1f + 2.6f * alpha)
 
-    /** Returns the sum of the nine spherical harmonics with the coefficients [h] in the direction (x, y, z). */
-    private fun sum(h: FloatArray, x: Float, y: Float, z: Float): Float =
-        h[0] + h[1] * y + h[2] * z + h[3] * x + h[4] * (x * y) + h[5] * (y * z) +
-            h[6] * (3f * z * z - 1f) + h[7] * (x * z) + h[8] * (x * x - y * y)
-
     private fun integrate() {
-        val sums = Array(3) { DoubleArray(9) }
         val light = FloatArray(3)
         for (row in 0 until ROWS) {
             val y = 1.0 - (2.0 * row + 1.0) / ROWS
@@ -86,19 +70,10 @@ internal object Studio {
                 val x = level * StrictMath.cos(angle)
                 val z = level * StrictMath.sin(angle)
                 radiance(x.toFloat(), y.toFloat(), z.toFloat(), 0f, light, 0)
-                val basis = doubleArrayOf(
-                    1.0, y, z, x, x * y, y * z, 3.0 * z * z - 1.0, x * z, x * x - y * y,
-                )
-                for (channel in 0 until 3) for (k in 0 until 9) sums[channel][k] += light[channel] * basis[k]
+                irradiance.add(x, y, z, 1.0) { light[it].toDouble() }
             }
         }
-
-        // The mean over the sphere, by the squared norm of each function, and by what a matt surface keeps of it
-        for (channel in 0 until 3) {
-            for (k in 0 until 9) {
-                harmonics[channel][k] = (sums[channel][k] / (ROWS * COLUMNS) * NORMS[k] * KEPT[k]).toFloat()
-            }
-        }
+        irradiance.finish(ROWS * COLUMNS.toDouble())
     }
 
     private const val ROWS = 64
@@ -110,11 +85,4 @@ internal object Studio {
 
     /** Width of a narrow blur, divided by alpha: its peak is that of the reflected light, `sqrt(pi)`. */
     private const val NARROW = 1.772f
-
-    /** 1 / mean of the square of each function over the sphere. */
-    private val NORMS get() = doubleArrayOf(1.0, 3.0, 3.0, 3.0, 15.0, 15.0, 1.25, 15.0, 3.75)
-
-    /** What the cosine of a matt surface keeps of the functions of degree 0, 1 and 2. */
-    private val KEPT get() = doubleArrayOf(1.0, TWO_THIRDS, TWO_THIRDS, TWO_THIRDS, 0.25, 0.25, 0.25, 0.25, 0.25)
-    private const val TWO_THIRDS = 2.0 / 3.0
 }

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 class StudioTest {
     private fun radiance(direction: Vector3d, alpha: Double): Double {
         val out = FloatArray(3)
-        Studio.radiance(direction.x.toFloat(), direction.y.toFloat(), direction.z.toFloat(), alpha.toFloat(), out, 0)
+        Studio.radiance(direction.x.toFloat(), direction.y.toFloat(), direction.z.toFloat(), Math.sqrt(alpha).toFloat(), out, 0)
         return out[1].toDouble()
     }
 
@@ -69,9 +69,9 @@ class StudioTest {
     fun rule_6_10_theFrontIsOnTheSideOfTheCameraAndTheStudioIsUpright() {
         val up = Vector3d(0.0, 1.0, 0.0)
         fun view(eye: Vector3d, up: Vector3d = Vector3d(0.0, 1.0, 0.0)) =
-            StudioView.of(Environment.studio(), Camera.perspective(eye, Vector3d(), up, 45.0, 1.0, 10.0))!!
+            EnvironmentView.of(Environment.studio(), Camera.perspective(eye, Vector3d(), up, 45.0, 1.0, 10.0))!!
 
-        fun seen(view: StudioView, direction: Vector3d) = FloatArray(PhysicalSurface.SIZE).also {
+        fun seen(view: EnvironmentView, direction: Vector3d) = FloatArray(PhysicalSurface.SIZE).also {
             view.radiance(direction.x.toFloat(), direction.y.toFloat(), direction.z.toFloat(), 0f, it)
         }
         val front = view(Vector3d(0.0, 0.0, 5.0))

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.formats
 
+import dev.lazyz.RenderOptions
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
@@ -8,6 +9,7 @@ import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneMemoryException
 import dev.lazyz.scenes.SceneReadException
 import dev.lazyz.scenes.gltf.GltfParser
+import dev.lazyz.scenes.images.RadianceImage
 import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
@@ -21,6 +23,7 @@ import dev.lazyz.scenes.stl.StlBinary
 import dev.lazyz.scenes.stl.StlParser
 import dev.lazyz.scenes.text.TextLines
 import dev.lazyz.scenes.threemf.ThreeMfParser
+import dev.lazyz.world.EnvironmentMap
 import dev.lazyz.world.material.Texture
 import java.io.IOException
 import java.io.InputStream
@@ -68,6 +71,15 @@ internal object SceneReading {
         return TextureFiles.decode(source, source.bytes, path.fileName.toString())
             ?: TextureFiles.refusal(source.bytes)?.let { source.fail(null, "cannot be decoded: it is $it") }
             ?: source.fail(null, "is not an image that can be read", "save it as PNG or JPEG")
+    }
+
+    /** Reads a picture of surroundings, and passes warnings to [warn]. */
+    fun environment(path: Path, limits: LoadLimits, options: RenderOptions, warn: (String) -> Unit): EnvironmentMap {
+        val name = path.toString()
+        val loading = Loading(LoadOptions(limits))
+        val source = Source(bytes(path, name, null, loading), name, null, loading)
+        requireContent(source)
+        return RadianceImage.read(source, options).also { source.warnings.forEach(warn) }
     }
 
     /** Parses [source] in the given format, or in the format detected from its content if [given] is null. */

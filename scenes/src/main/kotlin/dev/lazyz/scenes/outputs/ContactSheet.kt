@@ -217,7 +217,7 @@ public class ContactSheet(
             group: Int = 1,
         ): ContactSheet {
             val size = settings[PictureParameters.REGION]?.let { ImageSize(it.width, it.height) } ?: settings.size
-            val color = settings[PictureParameters.BACKGROUND]?.takeIf { it.gradient == null }?.color?.toArgb()
+            val color = settings[PictureParameters.BACKGROUND]?.takeIf { it.isPlain }?.color?.toArgb()
             return ContactSheet(size, labels, columns ?: usualColumns(labels.size, group, size), color ?: WHITE)
         }
 

@@ -192,12 +192,13 @@ internal class ColorValues : ParameterValues<Rgba>("COLOR") {
     override fun words(value: Rgba): List<String> = listOf(hexadecimal(value))
 }
 
-/** A colour, or two colours, the upper and the lower end of a gradient: `skyblue,white`. */
+/** A colour; two colours, the upper and the lower end of a gradient: `skyblue,white`; or `environment`. */
 internal class BackdropValues : ParameterValues<Backdrop>("COLOR") {
-    override val words: Collection<String> get() = Rgba.names
+    override val words: Collection<String> get() = Rgba.names + ENVIRONMENT
     override val completion: WordCompletion get() = WordCompletion.NAMES
 
     override fun read(word: String): Backdrop {
+        if (word.lowercase() == ENVIRONMENT) return Backdrop.ENVIRONMENT
         val colors = word.split(',').map(::color)
         return when {
             colors.size == 1 -> Backdrop(colors[0])
@@ -207,8 +208,16 @@ internal class BackdropValues : ParameterValues<Backdrop>("COLOR") {
         }
     }
 
-    override fun words(value: Backdrop): List<String> =
-        listOf(value.gradient?.let { "${hexadecimal(it.top)},${hexadecimal(it.bottom)}" } ?: hexadecimal(value.color))
+    override fun words(value: Backdrop): List<String> = listOf(
+        when {
+            value === Backdrop.ENVIRONMENT -> ENVIRONMENT
+            else -> value.gradient?.let { "${hexadecimal(it.top)},${hexadecimal(it.bottom)}" } ?: hexadecimal(value.color)
+        },
+    )
+
+    private companion object {
+        const val ENVIRONMENT = "environment"
+    }
 }
 
 /** `fit`, `scene`, or the number or the name of a camera. */
@@ -250,11 +259,16 @@ internal class CutValues : ParameterValues<List<CutPlane>>("PLANE") {
 }
 
 /** A file. */
-public class FileValues(form: String = "FILE") : ParameterValues<Path>(form) {
+public open class FileValues(form: String = "FILE") : ParameterValues<Path>(form) {
     override val completion: WordCompletion get() = WordCompletion.FILE
 
     override fun read(word: String): Path =
         if (word == "-") unfit("'-', standard input or output, is not possible here: name a file") else Path.of(word)
+}
+
+/** `studio`, or a file. */
+internal class EnvironmentValues : FileValues() {
+    override val words: Collection<String> get() = listOf("${PictureSettings.STUDIO}")
 }
 
 private fun unfit(message: String): Nothing = throw IllegalArgumentException(message)

@@ -5,23 +5,26 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Region
+import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovFrame
 import dev.lazyz.aov.AovFrame.AovImages
+import dev.lazyz.filter.PixelBackground
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.filter.VerticalGradient
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.SceneReading
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.spi.ShadingObserver
 import dev.lazyz.world.Camera
+import dev.lazyz.world.EnvironmentMap
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Texture
 import java.io.IOException
@@ -32,13 +35,13 @@ import java.util.concurrent.ConcurrentHashMap
  * A picture that is set up and can be rendered: a frame of samples, how they become pixels, and what is behind them.
  * Created by [PictureSettings.frame]. Immutable, and thread safe if the frame's primitives are.
  *
- * @property samples the samples and their filter; it knows no gradient
- * @property gradient what is behind the pixels, or null
+ * @property samples the samples and their filter; they know no [behind]
+ * @property behind what is behind the pixels, or null for the background of the frame
  * @property up the axis of the model that points up in the frame
  */
 public class PictureFrame internal constructor(
     public val samples: SampledFrame,
-    public val gradient: VerticalGradient?,
+    public val behind: PixelBackground?,
     public val up: UpAxis,
     private val crop: Lazy<Boolean>,
     private val names: ParameterNames,
@@ -64,13 +67,13 @@ public class PictureFrame internal constructor(
     /** Whether files need alpha: with an opaque background, all pixels are opaque. */
     public val alpha: AlphaChannel
         get() {
-            val isOpaque = gradient != null || frame.raster.background.alpha >= 1f
+            val isOpaque = behind != null || frame.raster.background.alpha >= 1f
             return if (isOpaque) AlphaChannel.DROP else AlphaChannel.KEEP
         }
 
     /** Returns this picture, whose shading calls are reported to [observer]. */
     public fun observed(observer: ShadingObserver): PictureFrame =
-        PictureFrame(samples.observed(observer), gradient, up, crop, names)
+        PictureFrame(samples.observed(observer), behind, up, crop, names)
 
     /**
      * Returns the part of this picture with the pixels of [region].
@@ -78,7 +81,7 @@ public class PictureFrame internal constructor(
      * @throws IllegalArgumentException if [region] is not within the picture
      */
     public fun within(region: Region): PictureFrame =
-        PictureFrame(samples.within(region), gradient, up, crop, names)
+        PictureFrame(samples.within(region), behind, up, crop, names)
 
     /** Returns the plan of [planner] with the first of [renderers] that fits, besides [others]. */
     public fun plan(planner: RenderPlanner, renderers: List<Renderer>, others: List<RenderPlan.Item>): RenderPlan =
@@ -115,12 +118,12 @@ public class PictureFrame internal constructor(
         return all.render(renderer, before(sink)).toModel(up)
     }
 
-    /** Returns what comes before [sink]: the gradient, and a check for interrupts, which not every strategy makes. */
+    /** Returns what comes before [sink]: what is [behind], and a check for interrupts, which not all strategies make. */
     private fun before(sink: RowSink): RowSink {
-        val behind = gradient?.behind(pixels, frame.raster.height / factor, sink) ?: sink
+        val opaque = behind?.behind(pixels, frame.raster.height / factor, sink) ?: sink
         return RowSink { y, argb, depth, primitive ->
             if (Thread.interrupted()) throw InterruptedException("interrupted before row $y")
-            behind.row(y, argb, depth, primitive)
+            opaque.row(y, argb, depth, primitive)
         }
     }
 
@@ -129,12 +132,12 @@ public class PictureFrame internal constructor(
 
 /**
  * Is told what happens while a picture is set up. By default, it keeps the warnings, and nothing else comes of it. It
- * also keeps the texture, the matcap, and the model as the camera of the last picture saw it: cut, turned and painted.
+ * also keeps the texture, the matcap, the surroundings, and the model as the camera of the last picture saw it: cut, turned and painted.
  * So pictures of one observer read each file once, and if they differ in camera, light and size alone, they prepare the
  * model once.
  *
  * @property name what the model is called in messages
- * @property limits limits on a texture and on a matcap
+ * @property limits limits on each of these files
  */
 public open class PictureObserver @JvmOverloads constructor(
     public val name: String = "the model",
@@ -142,6 +145,13 @@ public open class PictureObserver @JvmOverloads constructor(
 ) {
     private val kept = ArrayList<String>()
     private val textures = ConcurrentHashMap<Path, Texture>()
+
+    private val environments = ConcurrentHashMap<Path, EnvironmentMap>()
+
+    /** Returns the picture of surroundings in a file. */
+    internal fun environment(file: Path, options: RenderOptions): EnvironmentMap = environments.computeIfAbsent(file) {
+        SceneReading.environment(it, limits, options, ::warning)
+    }
 
     @Volatile
     private var prepared: PreparedModel? = null

@@ -135,7 +135,7 @@ public object PictureParameters {
     public val BACKGROUND: PictureParameter<Backdrop> = row(
         "background", BackdropValues(),
         "A colour: a name of CSS, such as skyblue, transparent, or hexadecimal rgb, rrggbb, rrggbbaa; or two, " +
-            "TOP,BOTTOM, for a gradient",
+            "TOP,BOTTOM, for a gradient; or environment, what materials reflect",
         "the scene's, or white",
     )
 
@@ -221,6 +221,30 @@ public object PictureParameters {
         "light-intensity", range("FACTOR", 0.0, 1000.0, ""), "Multiply all light, 0..1000",
         "the scene file's, or 1, or up to 3 for models with dark materials and no lights",
         file = "has `lightIntensity`",
+    )
+
+    /** A picture of the surroundings, which lights all materials; or [PictureSettings.STUDIO]. */
+    @JvmField
+    public val ENVIRONMENT: PictureParameter<Path> = row(
+        "environment", EnvironmentValues(),
+        "Light all materials by this picture of the surroundings, a Radiance file (.hdr); or studio",
+        "studio",
+        file = "has `environment`",
+    )
+
+    /** Where the middle of the picture of the surroundings is, degrees. */
+    @JvmField
+    public val ENVIRONMENT_ROTATION: PictureParameter<Double> = row(
+        "environment-rotation", range("DEGREES", -1e6, 1e6, " degrees"),
+        "Where the middle of --environment is: 0 front, 90 right", "0",
+        file = "has `environment`",
+    )
+
+    /** The factor of the light of the surroundings. */
+    @JvmField
+    public val ENVIRONMENT_INTENSITY: PictureParameter<Double> = row(
+        "environment-intensity", range("FACTOR", 0.0, 1000.0, ""), "Multiply the light of --environment, 0..1000", "1",
+        file = "has `environment`",
     )
 
     /** Whether surfaces occlude ambient light. */

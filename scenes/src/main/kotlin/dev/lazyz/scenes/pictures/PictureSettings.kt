@@ -15,6 +15,7 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.View
 import dev.lazyz.world.Viewpoint
 import dev.lazyz.world.material.Material.Shading
+import java.nio.file.Path
 
 /**
  * How a file is shown: all that `zcli render` offers for one picture, with its defaults. That is the whole model, in
@@ -42,11 +43,11 @@ import dev.lazyz.world.material.Material.Shading
  * 3. the camera is chosen, and the scene turned so that its up axis is y; sizes of points and lines;
  * 4. colour and texture of all surfaces, then shading and texture filter;
  * 5. the camera is fitted to the whole picture;
- * 6. lights, or the lit sphere of a matcap; what is to be opaque;
+ * 6. lights and surroundings, or the lit sphere of a matcap; what is to be opaque;
  * 7. ambient occlusion, and the shadow on the ground;
  * 8. tone curve and exposure;
  * 9. edges, which are not lit;
- * 10. set-up of the samples, of a region or of all; the gradient comes behind the pixels when they are rendered.
+ * 10. set-up of the samples, of a region or of all; a gradient comes behind the pixels when they are rendered.
  *
  * Immutable and thread safe.
  *
@@ -215,6 +216,11 @@ public class PictureSettings private constructor(
     public val hasFaceNormals: Boolean
         get() = this[PictureParameters.SHADING].let { it == Shading.FLAT || it == Shading.CONSTANT }
 
+    /** The files that these settings name, besides that of the model. */
+    public val files: Map<PictureParameter<Path>, Path>
+        get() = FILES.mapNotNull { parameter -> this[parameter]?.let { parameter to it } }.toMap()
+            .filter { (parameter, file) -> parameter != PictureParameters.ENVIRONMENT || file != STUDIO }
+
     /** A parameter for which the whole model must be in memory, as messages name it, or null. */
     public val wholeModel: String?
         get() {
@@ -255,14 +261,15 @@ public class PictureSettings private constructor(
     /**
      * Checks that no two parameters exclude each other:
      * - a matcap, which replaces materials and light, and shading, texture, light and its intensity, ambient occlusion,
-     *   tone curve or exposure;
-     * - ambient occlusion, and flat or Gouraud shading;
+     *   surroundings, tone curve or exposure;
+     * - ambient occlusion or surroundings, and flat or Gouraud shading;
      * - the camera of the file, and a view, azimuth, elevation, projection or margin; an eye, and these without the
      *   projection;
      * - edges and a wireframe; a wireframe and the angle of creases.
      *
      * It also checks that there is what others need: edges or a wireframe for their looks, dashed or solid hidden lines
-     * for their colour, a cut for the colour of caps, a scale for a unit.
+     * for their colour, a cut for the colour of caps, a scale for a unit, surroundings for their rotation or
+     * intensity.
      *
      * @throws NoPictureException otherwise
      */
@@ -274,15 +281,19 @@ public class PictureSettings private constructor(
 
     private fun checkLight() = PictureParameters.run {
         val lonely = firstGiven(
-            LIGHT, LIGHT_INTENSITY, AMBIENT_OCCLUSION.takeIf { has(it) }, SHADING, TEXTURE, TONE_MAP, EXPOSURE,
+            LIGHT, LIGHT_INTENSITY, AMBIENT_OCCLUSION.takeIf { has(it) }, ENVIRONMENT, SHADING, TEXTURE, TONE_MAP,
+            EXPOSURE,
         )
         if (this@PictureSettings[MATCAP] != null && lonely != null) {
             refuse("${names.of(MATCAP)} replaces materials and light, so $lonely has no effect")
         }
+        val turned = firstGiven(ENVIRONMENT_ROTATION, ENVIRONMENT_INTENSITY)
+        if (ENVIRONMENT !in files && turned != null) refuse("$turned needs ${names.of(ENVIRONMENT, "FILE")}")
         val shading = this@PictureSettings[SHADING]
-        if (hasOcclusion && (shading == Shading.FLAT || shading == Shading.GOURAUD)) {
+        if ((hasOcclusion || ENVIRONMENT in files) && (shading == Shading.FLAT || shading == Shading.GOURAUD)) {
             val word = names.of(SHADING, shading.name.lowercase())
-            refuse("with ambient occlusion, light is computed at each pixel, so $word has no effect")
+            val what = if (hasOcclusion) "ambient occlusion" else names.of(ENVIRONMENT)
+            refuse("with $what, light is computed at each pixel, so $word has no effect")
         }
     }
 
@@ -320,7 +331,7 @@ public class PictureSettings private constructor(
      * @param observer is told what happens
      * @throws NoPictureException if two parameters exclude each other, no camera shows the model, because its numbers
      *   would be beyond their range, or the model cannot be shown as chosen
-     * @throws dev.lazyz.scenes.SceneFormatException if a texture or a matcap cannot be read
+     * @throws dev.lazyz.scenes.SceneFormatException if a texture, a matcap or a picture of surroundings cannot be read
      * @throws InterruptedException as [Scene.frame], and while shadows are computed
      */
     @JvmOverloads
@@ -362,6 +373,15 @@ public class PictureSettings private constructor(
 
         /** Samples a pixel in each direction if the settings do not choose. */
         public const val USUAL_FACTOR: Int = 4
+
+        /** The value of [PictureParameters.ENVIRONMENT] that is no file, but the built-in studio. */
+        @JvmField
+        public val STUDIO: Path = Path.of("studio")
+
+        /** The parameters whose values are files. */
+        @JvmField
+        public val FILES: List<PictureParameter<Path>> =
+            listOf(PictureParameters.TEXTURE, PictureParameters.MATCAP, PictureParameters.ENVIRONMENT)
 
         internal val DIRECTION =
             arrayOf<PictureParameter<*>>(PictureParameters.VIEW, PictureParameters.AZIMUTH, PictureParameters.ELEVATION)

@@ -15,6 +15,7 @@ import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.AmbientOcclusion
+import dev.lazyz.lighting.EnvironmentBackground
 import dev.lazyz.lighting.GroundShadow
 import dev.lazyz.lighting.Matcap
 import dev.lazyz.scenes.DepthRules
@@ -23,6 +24,7 @@ import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.sections.SectionPlane
 import dev.lazyz.spi.Shader
 import dev.lazyz.world.Camera
+import dev.lazyz.world.Environment
 import dev.lazyz.world.FittedViewpoint
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
@@ -91,7 +93,7 @@ internal class PictureSteps(
         val pixelSize = PictureDrawing.pixelSize(settings, loaded.unit, camera, raster)
         val edges = checkNotNull(edges(scene, shown))
         val isOnPaper = style == PictureStyle.TECHNICAL &&
-            settings[PictureParameters.BACKGROUND]?.gradient == null && PictureDrawing.isOnPaper(scene, raster)
+            settings[PictureParameters.BACKGROUND]?.isPlain != false && PictureDrawing.isOnPaper(scene, raster)
         return PictureDrawing(
             edges.style, edges.lines(raster, camera, options),
             if (isOnPaper) edges.caps(raster, camera) else emptyList(), region(raster), pixelSize,
@@ -112,9 +114,15 @@ internal class PictureSteps(
         val raster = shown.raster
         val region = region(raster)
         observer.setUp(ImageSize(raster.width, raster.height))
-        val gradient = settings[PictureParameters.BACKGROUND]?.gradient
+        val backdrop = settings[PictureParameters.BACKGROUND]
+        val behind = if (backdrop === Backdrop.ENVIRONMENT) surroundings(scene, raster) else backdrop?.gradient
         val crop = lazy { isCropped(shown.viewed, raster) }
-        return PictureFrame(sampled(scene, raster).within(region), gradient, shown.up, crop, names)
+        return PictureFrame(sampled(scene, raster).within(region), behind, shown.up, crop, names)
+    }
+
+    private fun surroundings(scene: Scene, raster: Raster): EnvironmentBackground {
+        if (scene.isOnScreen) refuse("a scene given on the screen has no ${names.of(PictureParameters.ENVIRONMENT)}")
+        return EnvironmentBackground(scene, raster.width, raster.height, settings.factor)
     }
 
     /** The scene as its camera shows it, from the first step to light. */
@@ -240,12 +248,19 @@ internal class PictureSteps(
             return scene.withMaterials { it.withShader(shader) }
         }
 
-        // A chosen colour is shown as it is
+        // A chosen colour is shown as it is, and so are surroundings
+        val surroundings = settings.files[PictureParameters.ENVIRONMENT]
         val intensity = settings[PictureParameters.LIGHT_INTENSITY]?.toFloat()
             ?: stage?.intensity.takeIf { loaded.isModel }
-        return loaded.lit(
-            scene, settings[PictureParameters.LIGHT], intensity ?: scene.lightIntensity.takeIf { color != null },
+            ?: scene.lightIntensity.takeIf { color != null || surroundings != null }
+        val lit = loaded.lit(scene, settings[PictureParameters.LIGHT], intensity)
+        if (surroundings == null) return lit
+        val environment = Environment.of(
+            observer.environment(surroundings, options),
+            settings[PictureParameters.ENVIRONMENT_INTENSITY]?.toFloat() ?: 1f,
+            settings[PictureParameters.ENVIRONMENT_ROTATION] ?: 0.0,
         )
+        return lit.withMaterials { it.asMetallicRoughness() }.withEnvironment(environment)
     }
 
     private fun opaque(scene: Scene): Scene =

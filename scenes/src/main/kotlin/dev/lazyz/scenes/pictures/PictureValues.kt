@@ -13,17 +13,33 @@ import dev.lazyz.world.material.Material.Shading
 import org.joml.Vector3d
 
 /**
- * What is behind the surfaces: one colour, or two, the upper and the lower end of a gradient. Immutable.
+ * What is behind the surfaces: one colour, or two, the upper and the lower end of a gradient, or the surroundings.
+ * Immutable.
  *
- * @property color the background of the frame; transparent if there is a gradient
+ * @property color the background of the frame; transparent if something else is behind it
  * @property gradient the gradient, or null
  */
-public class Backdrop private constructor(public val color: Rgba, public val gradient: VerticalGradient?) {
-    public constructor(color: Rgba) : this(color, null)
+public class Backdrop private constructor(
+    private val text: String,
+    color: Rgba?,
+    public val gradient: VerticalGradient?
+) {
+    public val color: Rgba = color ?: Rgba.TRANSPARENT
 
-    public constructor(gradient: VerticalGradient) : this(Rgba.TRANSPARENT, gradient)
+    /** Whether it is no more than the [color]. */
+    public val isPlain: Boolean = color != null
 
-    override fun toString(): String = "Backdrop(${gradient ?: color})"
+    public constructor(color: Rgba) : this("$color", color, null)
+
+    public constructor(gradient: VerticalGradient) : this("$gradient", null, gradient)
+
+    override fun toString(): String = "Backdrop($text)"
+
+    public companion object {
+        /** The environment that materials reflect. */
+        @JvmField
+        public val ENVIRONMENT: Backdrop = Backdrop("environment", null, null)
+    }
 }
 
 /** Which camera shows a file. Immutable. */

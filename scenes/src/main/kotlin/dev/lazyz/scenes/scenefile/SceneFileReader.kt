@@ -2,6 +2,7 @@ package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.DepthTest
 import dev.lazyz.Raster.DepthConvention
+import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.FillRule
 import dev.lazyz.geometry.UpAxis
@@ -10,14 +11,17 @@ import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.images.RadianceImage
 import dev.lazyz.scenes.json.JsonMembers
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.json.JsonText
+import dev.lazyz.scenes.loading.FileReferences
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.pictures.PictureDoor
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
+import dev.lazyz.world.EnvironmentMap
 import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Light
 import dev.lazyz.world.Light.Falloff
@@ -48,7 +52,7 @@ internal class SceneFileReader(private val source: Source) {
         // Read what surfaces and lights depend on first
         val up = members["up"]?.choice(SceneFileNames.upAxes) ?: UpAxis.Y
         val cameras = CameraReader(up)
-        val lights = LightReader(up)
+        val lights = LightReader(source, up)
         val materials = MaterialReader(source)
         members["materials"]?.let(materials::readNamed)
         val surfaces = SurfaceReader(source, materials, up)
@@ -158,7 +162,7 @@ internal object SceneFileNames {
 }
 
 /** Reads the lights, the environment and the tone mapping of a scene file. */
-internal class LightReader(private val up: UpAxis) {
+internal class LightReader(private val source: Source, private val up: UpAxis) {
     /** Returns the rig that [node] names, or null if it lists lights. */
     fun rig(node: JsonNode): LightRig? = if (node.isText) node.choice(SceneFileNames.lightRigs) else null
 
@@ -205,8 +209,19 @@ internal class LightReader(private val up: UpAxis) {
     }
 
     fun environment(node: JsonNode): Environment {
-        val members = node.members("studio")
-        return node.checked { Environment.studio(members.required("studio").float()) }
+        val (kind, value) = node.members("studio", "picture").one("studio", "picture")
+        if (kind == "studio") return node.checked { Environment.studio(value.float()) }
+        val members = value.members("image", "intensity", "rotation")
+        val map = surroundings(members.required("image"))
+        val intensity = members["intensity"]?.float() ?: 1f
+        return value.checked { Environment.of(map, intensity, members["rotation"]?.double() ?: 0.0) }
+    }
+
+    private fun surroundings(node: JsonNode): EnvironmentMap {
+        val found = source.references.find(node.text())
+        val file = found.file ?: node.fail("${node.text()} ${found.problem}", found.remedy)
+        val bytes = FileReferences.read(file) ?: node.fail("${node.text()} cannot be read", "check its permissions")
+        return RadianceImage.read(Source(bytes, "$file", null, source.loading), RenderOptions())
     }
 
     fun intensity(node: JsonNode): Float {

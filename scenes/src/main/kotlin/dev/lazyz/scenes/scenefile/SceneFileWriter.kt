@@ -137,6 +137,10 @@ internal class SceneFileWriter(private val out: Appendable) {
             require(scene.ambientVisibility == null) {
                 "a scene file holds no visibility of ambient light: write scene.withAmbientVisibility(null) instead"
             }
+            require(scene.environment?.map == null) {
+                "a scene file holds no picture of surroundings: write scene.withEnvironment(null) instead, and name the " +
+                    "picture's file in \"environment\""
+            }
             scene.surfaces.forEachIndexed { index, surface ->
                 val material = requireNotNull(surface.material.takeIf { isKnown(surface) }) {
                     "a scene file holds meshes, polygons, spheres, points and lines only: surfaces[$index] is $surface"

@@ -12,7 +12,6 @@ import dev.lazyz.scenes.formats.SceneReading
 import dev.lazyz.scenes.loading.FileReferences
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.streaming.SpoolSpace
 import java.io.Closeable
@@ -171,7 +170,7 @@ public class ModelArchive private constructor(
             use: (LoadedScene, PictureSettings) -> T,
         ): T {
             if (!isOne(bytes, limits)) {
-                val lonely = model?.let { "model" } ?: FILES.firstOrNull { settings[it] != null }
+                val lonely = model?.let { "model" } ?: settings.files.keys.firstOrNull()
                 if (lonely != null) {
                     refuse(name, "is no ZIP archive, so '$lonely' has no effect", "send one, or omit it")
                 }
@@ -181,8 +180,8 @@ public class ModelArchive private constructor(
             }
             return open(bytes, name, limits).use { archive ->
                 val loaded = archive.load(model, format, settings.loadOptions(limits))
-                val found = FILES.fold(settings) { all, parameter ->
-                    settings[parameter]?.let { all.with(parameter, archive.file("$it")) } ?: all
+                val found = settings.files.entries.fold(settings) { all, (parameter, file) ->
+                    all.with(parameter, archive.file("$file"))
                 }
                 try {
                     use(loaded, found)
@@ -191,9 +190,6 @@ public class ModelArchive private constructor(
                 }
             }
         }
-
-        /** Parameters whose values are files. */
-        private val FILES = listOf(PictureParameters.TEXTURE, PictureParameters.MATCAP)
 
         private const val ZIP = "PK\u0003\u0004"
 

@@ -2,8 +2,12 @@ package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.ImageSize
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.Scenes
+import dev.lazyz.shared.PictureWords
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Environment
+import dev.lazyz.world.EnvironmentMap
 import dev.lazyz.world.Light
 import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
@@ -13,6 +17,7 @@ import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.io.path.writeBytes
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
@@ -119,6 +124,28 @@ class SceneFileTest {
     }
 
     @Test
+    fun picturesOfSurroundingsAreFilesBesideIt() {
+        folder.resolve("sky.hdr").writeBytes(PictureWords.sky())
+        folder.resolve("sky.png").writeBytes(PictureWords.picture())
+        fun read(environment: String) =
+            SceneFile.parse("""{"lazyz": 1, "environment": $environment}""", "a.json", folder)
+        val loaded = read("""{"picture": {"image": "sky.hdr", "intensity": 2, "rotation": -90}}""")
+        val map = Scenes.environment(folder.resolve("sky.hdr"))
+        assertEquals(Environment.of(map, 2f, -90.0), loaded.scene.environment)
+        assertEquals(listOf(folder.resolve("sky.hdr")), loaded.files)
+        assertEquals(Environment.of(map), read("""{"picture": {"image": "SKY.hdr"}}""").scene.environment)
+        for ((environment, message) in mapOf(
+            """{"picture": {"image": "no.hdr"}}""" to "no.hdr is missing",
+            """{"picture": {"image": "sky.png"}}""" to "sky.png, byte 0: is no Radiance picture",
+            """{"picture": {"image": "sky.hdr", "intensity": -1}}""" to "must be 0 or more: -1",
+            """{"studio": 1, "picture": {"image": "sky.hdr"}}""" to "keep one of",
+        )) {
+            val error = assertThrows(SceneFormatException::class.java) { read(environment) }
+            assertTrue(message in error.message.orEmpty()) { "$message: ${error.message}" }
+        }
+    }
+
+    @Test
     fun whatCannotBeWrittenIsRefusedBeforeAFileIsTouched() {
         val path = folder.resolve("a.json")
         Files.writeString(path, "old")
@@ -127,6 +154,8 @@ class SceneFileTest {
             Scene(listOf(Sphere(Vector3d(), 1.0, shader))) to "surfaces[0] has one of its own",
             Scene(emptyList(), viewpoint = Viewpoint { _, _ -> error("") }) to "withViewpoint",
             Scene(emptyList()).withAmbientVisibility { _, _, _, _, _, _ -> 1f } to "withAmbientVisibility(null)",
+            Scene(emptyList()).withEnvironment(Environment.of(EnvironmentMap.of(1, 1, FloatArray(3)))) to
+                "withEnvironment(null) instead, and name the picture's file",
         )
         for ((scene, message) in odd) {
             val error = assertThrows(IllegalArgumentException::class.java) { SceneFile.write(scene, path) }

@@ -3,6 +3,7 @@ package dev.lazyz.conformance.frames.world
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.cases.Coded
 import dev.lazyz.conformance.cases.Hollows
+import dev.lazyz.conformance.cases.Skies
 import dev.lazyz.conformance.cases.code
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.mixed
@@ -116,12 +117,20 @@ internal object WorldExposure {
             }
 
     private fun environments(): Arbitrary<SceneChange> =
-        mixed(3 to Arbitraries.just(same), 1 to oneOf(1f, 0.25f, 0f).map(::studio))
+        mixed(3 to Arbitraries.just(same), 1 to oneOf(*ENVIRONMENTS))
 
     private fun studio(intensity: Float) = SceneChange(
         { it.withEnvironment(Environment.studio(intensity)) },
         "\n    .withEnvironment(Environment.studio(${code(intensity)}))",
     )
+
+    private fun sky(number: Int, intensity: Float, rotation: Double) = SceneChange(
+        { it.withEnvironment(Environment.of(Skies.map(number), intensity, rotation)) },
+        "\n    .withEnvironment(Environment.of(Skies.map($number), ${code(intensity)}, ${code(rotation)}))",
+    )
+
+    private val ENVIRONMENTS = arrayOf(studio(1f), studio(0.25f), studio(0f)) +
+        Array(Skies.COUNT) { sky(it, if (it == 0) 0.5f else 1f, 75.0 * it) }
 
     /** Generates intensities that are mostly 1. Others are both weaker and stronger. */
     private fun intensities(): Arbitrary<SceneChange> = mixed(

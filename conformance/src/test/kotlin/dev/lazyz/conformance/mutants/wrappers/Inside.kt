@@ -146,7 +146,13 @@ internal object LightChanges {
     }
 
     fun loseEnvironment(inside: Inside, changes: Changes) {
-        inside.shader?.let { changes.set(physical(it), "studio", null) }
+        inside.shader?.let { changes.set(physical(it), "environment", null) }
+    }
+
+    /** Looks in other directions. */
+    fun turnEnvironment(inside: Inside, changes: Changes) {
+        val own = inside.shader?.let { Inside.read(physical(it), "environment") } ?: return
+        changes.set(own, "cosine", 0.6f)
     }
 
     private inline fun <reified T : AmbientVisibility> replaceVisibility(

@@ -96,7 +96,7 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
             val items = listOf(
                 RenderPlan.Item("file", body.size.toLong()),
                 RenderPlan.Item("model", decoded),
-                RenderPlan.Item("texture and matcap", decoded * FILES.count { settings[it] != null }),
+                RenderPlan.Item("other files", decoded * settings.files.size),
                 RenderPlan.Item("lines and cuts", linesNeed(loaded.scene, request)),
             )
             picture(loaded, settings, request, PictureObserver(limits = own), items, memory, grow)
@@ -168,9 +168,6 @@ internal class PictureMaker(private val limits: LoadLimits, mostDecoded: Long) {
     companion object {
         /** Bytes of heap for each byte of decoded data while a model is read, see docs/server.md. */
         const val MEMORY_PER_DECODED = 4L
-
-        /** What is read besides the model: each can have as much decoded data. */
-        private val FILES = listOf(PictureParameters.TEXTURE, PictureParameters.MATCAP)
 
         /** Decoded data of the smallest models. */
         private const val LEAST_DECODED = 1L shl 20

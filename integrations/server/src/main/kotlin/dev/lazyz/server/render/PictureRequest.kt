@@ -37,7 +37,7 @@ internal class PictureRequest private constructor(
         /** Characters of the longest value that has a meaning, and more; of names in an archive, the most. */
         private const val LONGEST = 100
         private const val LONGEST_FILE = 250
-        private val FILES = setOf("model", PictureParameters.TEXTURE.name, PictureParameters.MATCAP.name)
+        private val FILES = PictureSettings.FILES.map { it.name } + "model"
 
         /** Parameters beside those of pictures, each with its form and what it does. */
         val OWN: Map<String, Pair<String, String>> =

@@ -45,12 +45,10 @@ class ParametersTest {
     @TempDir
     lateinit var folder: Path
 
-    private val files = listOf(PictureParameters.TEXTURE, PictureParameters.MATCAP)
-
     private fun assertSame(format: SceneFormat, model: String, words: Map<String, String>) {
-        val hasFiles = files.any { it.name in words }
+        val hasFiles = PictureSettings.FILES.any { it.name in words }
         val body = model.toByteArray().let { if (hasFiles) PictureWords.archive(it) else it }
-        folder.resolve("picture.png").writeBytes(PictureWords.picture())
+        for ((name, bytes) in PictureWords.files) folder.resolve(name).writeBytes(bytes)
         val query = (mapOf("size" to "40x30") + words).entries.joinToString("&") { (name, word) ->
             "$name=${URLEncoder.encode(word, Charsets.UTF_8)}"
         }
@@ -58,8 +56,8 @@ class ParametersTest {
         val text = answer.body().decodeToString()
         val image = try {
             val asked = PictureDoor.SERVICE.read(usual, words.toList()).also { it.check() }
-            val settings = files.filter { asked[it] != null }
-                .fold(asked) { all, file -> all.with(file, folder.resolve("${asked[file]}")) }
+            val settings = asked.files.entries
+                .fold(asked) { all, (parameter, file) -> all.with(parameter, folder.resolve("$file")) }
             val observer = PictureObserver()
             settings.frame(Scenes.load(model.byteInputStream(), format), observer = observer).render(TiledRenderer())
         } catch (e: IllegalArgumentException) {
@@ -175,7 +173,7 @@ class ParametersTest {
 
     /** Each of them can have as much as the model. */
     @Test
-    fun texturesAndMatcapsArePartOfThePlan() {
+    fun texturesMatcapsAndSurroundingsArePartOfThePlan() {
         val most = 1L shl 20
         val archive = PictureWords.archive(WEDGE.toByteArray())
         fun need(vararg words: Pair<String, String>): Long {
@@ -185,6 +183,7 @@ class ParametersTest {
             return needs.first()
         }
         assertEquals(most, need("matcap" to "picture.png") - need())
+        assertEquals(most, need("environment" to "sky.hdr") - need())
     }
 
     /** The bytes are those that the library writes. */

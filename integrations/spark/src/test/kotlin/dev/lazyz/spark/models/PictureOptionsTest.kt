@@ -32,8 +32,6 @@ class PictureOptionsTest {
     @TempDir
     lateinit var folder: Path
 
-    private val files = listOf(PictureParameters.TEXTURE, PictureParameters.MATCAP)
-
     private fun row(words: String, model: ByteArray = Models.OBJ.toByteArray()): Row =
         RenderModel().call(model, "a.obj", words)
 
@@ -46,12 +44,12 @@ class PictureOptionsTest {
             if (' ' in value) "$name=\"$value\"" else "$name=$value"
         }
         val model = Models.OBJ.toByteArray()
-        val row = row(all, if (files.any { it.name in words }) PictureWords.archive(model) else model)
-        folder.resolve("picture.png").writeBytes(PictureWords.picture())
+        val row = row(all, if (PictureSettings.FILES.any { it.name in words }) PictureWords.archive(model) else model)
+        for ((name, bytes) in PictureWords.files) folder.resolve(name).writeBytes(bytes)
         val image = try {
             val asked = PictureDoor.SPARK.read(usual, words.toList()).also { it.check() }
-            val settings = files.filter { asked[it] != null }
-                .fold(asked) { all, file -> all.with(file, folder.resolve("${asked[file]}")) }
+            val settings = asked.files.entries
+                .fold(asked) { all, (parameter, file) -> all.with(parameter, folder.resolve("$file")) }
             val loaded = Scenes.load(Models.OBJ.toByteArray(), SceneFormat.OBJ, "a.obj")
             settings.frame(loaded, observer = PictureObserver("a.obj")).render(TiledRenderer())
         } catch (e: IllegalArgumentException) {
@@ -72,7 +70,7 @@ class PictureOptionsTest {
         val zip = PictureWords.archive(Models.OBJ.toByteArray())
         assertEquals(row("").text("hash"), row("model=MODEL.obj", zip).text("hash"))
         val missing = row("model=b.obj", zip).text("error")
-        assertEquals("a.obj: there is no file 'b.obj' in it; it has model.obj, picture.png", missing)
+        assertEquals("a.obj: there is no file 'b.obj' in it; it has model.obj, picture.png, sky.hdr", missing)
         val lonely = row("matcap=picture.png").text("error")
         assertEquals("a.obj: is no ZIP archive, so 'matcap' has no effect; send one, or omit it", lonely)
     }
