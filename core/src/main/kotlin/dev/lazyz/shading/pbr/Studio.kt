@@ -2,6 +2,7 @@ package dev.lazyz.shading.pbr
 
 import dev.lazyz.world.Irradiance
 import dev.lazyz.world.Surroundings
+import kotlin.math.sqrt
 
 /**
  * The light of the studio by direction (contract rule 6.10): walls that are darker below, and soft boxes. In its space,
@@ -57,8 +58,11 @@ internal object Studio : Surroundings {
     private fun wall(y: Float, alpha: Float): Float =
         HORIZON + RISE * (1f - alpha / 3f) * y + BEND * (1f - 0.75f * alpha) * (y * y - THIRD)
 
-    /** Returns the width by which the light of a box is blurred. */
-    private fun blur(alpha: Float): Float = EDGE + alpha * NARROW / (1f + 2.6f * alpha)
+    /** Returns the width by which the light of a box, which has soft edges itself, is blurred. */
+    private fun blur(alpha: Float): Float {
+        val narrow = alpha * NARROW / (1f + 2.6f * alpha)
+        return sqrt(EDGE * EDGE + narrow * narrow)
+    }
 
     private fun integrate() {
         val light = FloatArray(3)
@@ -79,8 +83,8 @@ internal object Studio : Surroundings {
     private const val ROWS = 64
     private const val COLUMNS = 128
 
-    /** Width of the soft edge of the boxes. */
-    private const val EDGE = 0.03f
+    /** Width of the soft edge of the boxes: so wide that mirrors do not show where they end. */
+    private const val EDGE = 0.2f
     private const val THIRD = 1f / 3f
 
     /** Width of a narrow blur, divided by alpha: its peak is that of the reflected light, `sqrt(pi)`. */

@@ -118,7 +118,7 @@ public class PictureFrame internal constructor(
         return all.render(renderer, before(sink)).toModel(up)
     }
 
-    /** Returns what comes before [sink]: what is [behind], and a check for interrupts, which not all strategies make. */
+    /** Returns what comes before [sink]: what is [behind], and a check for interrupts, as not all strategies look. */
     private fun before(sink: RowSink): RowSink {
         val opaque = behind?.behind(pixels, frame.raster.height / factor, sink) ?: sink
         return RowSink { y, argb, depth, primitive ->
