@@ -209,10 +209,8 @@ internal class BackdropValues : ParameterValues<Backdrop>("COLOR") {
     }
 
     override fun words(value: Backdrop): List<String> = listOf(
-        when {
-            value === Backdrop.ENVIRONMENT -> ENVIRONMENT
-            else -> value.gradient?.let { "${hexadecimal(it.top)},${hexadecimal(it.bottom)}" } ?: hexadecimal(value.color)
-        },
+        value.gradient?.let { "${hexadecimal(it.top)},${hexadecimal(it.bottom)}" }
+            ?: if (value.isPlain) hexadecimal(value.color) else ENVIRONMENT,
     )
 
     private companion object {

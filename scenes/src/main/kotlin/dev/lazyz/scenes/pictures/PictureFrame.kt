@@ -132,9 +132,9 @@ public class PictureFrame internal constructor(
 
 /**
  * Is told what happens while a picture is set up. By default, it keeps the warnings, and nothing else comes of it. It
- * also keeps the texture, the matcap, the surroundings, and the model as the camera of the last picture saw it: cut, turned and painted.
- * So pictures of one observer read each file once, and if they differ in camera, light and size alone, they prepare the
- * model once.
+ * also keeps the texture, the matcap, the surroundings, and the model as the camera of the last picture saw it: cut,
+ * turned and painted. So pictures of one observer read each file once, and if they differ in camera, light and size
+ * alone, they prepare the model once.
  *
  * @property name what the model is called in messages
  * @property limits limits on each of these files
