@@ -86,7 +86,9 @@ public class EnvironmentMap private constructor(
             options: RenderOptions = RenderOptions(),
         ): EnvironmentMap {
             require(width >= 1 && height >= 1) { "sides must be at least 1: $width x $height" }
-            require(rgb.size.toLong() == 3L * width * height) { "$width x $height texels need three numbers each: ${rgb.size}" }
+            require(rgb.size.toLong() == 3L * width * height) {
+                "$width x $height texels need three numbers each: ${rgb.size}"
+            }
             val wrong = rgb.indexOfFirst { !(it >= 0f && it <= MOST) }
             require(wrong < 0) { "light must be from 0 to $MOST: ${rgb[wrong]}, of texel ${wrong / 3}" }
             val panorama = Panorama(width, height, rgb)
@@ -146,8 +148,9 @@ internal class Octahedron(private val side: Int) {
             copy(0, side - 1 - i, -1, i)
             copy(side - 1, side - 1 - i, side, i)
         }
-        for (column in listOf(-1, side)) {
-            for (row in listOf(-1, side)) copy(if (column < 0) side - 1 else 0, if (row < 0) side - 1 else 0, column, row)
+        val ends = listOf(-1 to side - 1, side to 0)
+        for ((column, fromColumn) in ends) {
+            for ((row, fromRow) in ends) copy(fromColumn, fromRow, column, row)
         }
     }
 

@@ -140,7 +140,8 @@ class EnvironmentMapTest {
 
         fun seen(column: Int, row: Int, rotation: Double, x: Double, y: Double, z: Double): Float {
             val map = EnvironmentMap.of(width, width / 2, spot(column, row))
-            val camera = Camera.perspective(Vector3d(1.0, 2.0, 3.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 45.0, 1.0, 10.0)
+            val up = Vector3d(0.0, 1.0, 0.0)
+            val camera = Camera.perspective(Vector3d(1.0, 2.0, 3.0), Vector3d(), up, 45.0, 1.0, 10.0)
             val surface = FloatArray(PhysicalSurface.SIZE)
             EnvironmentView.of(Environment.of(map, 2f, rotation), camera)!!
                 .radiance(x.toFloat(), y.toFloat(), z.toFloat(), 0f, surface)

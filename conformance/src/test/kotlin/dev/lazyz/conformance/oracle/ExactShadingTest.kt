@@ -3,6 +3,7 @@ package dev.lazyz.conformance.oracle
 import dev.lazyz.Frame
 import dev.lazyz.conformance.TestEffort
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Skies
 import dev.lazyz.conformance.frames.some
 import dev.lazyz.conformance.frames.world.WorldFrames
 import dev.lazyz.conformance.mutants.wrappers.Changes
@@ -88,7 +89,8 @@ class ExactShadingTest {
     }
 
     /** Generates frames, and removes what the oracle does not know from their scenes. */
-    private fun known(frames: Arbitrary<FrameCase>, count: Int): List<FrameCase> = some(frames, count).map { case ->
+    private fun known(frames: Arbitrary<FrameCase>, count: Int) = some(frames, count).mapIndexed { i, case ->
+        val sky = Environment.of(Skies.map(i % Skies.COUNT), 0.5f, 75.0 * i)
         val scene = checkNotNull(case.scene)
         val raster = case.frame.raster
         val isPhysical = scene.surfaces.mapNotNull(ExactShading::materialOf).any(ExactLight::isPhysical)
@@ -96,7 +98,7 @@ class ExactShadingTest {
         val known = scene.withSurfaces(scene.surfaces.filterNot { it is Points || it is Lines })
             .withMaterials { withKnownLobes(it.withMipFilter(MipFilter.NONE)) }
             .withLights(if (isPhysical) lights.filterNot { it is Light.Ambient } else scene.lights)
-            .withEnvironment(scene.environment?.takeIf { it.map != null } ?: Environment.NONE)
+            .withEnvironment(if (isPhysical) sky else Environment.NONE)
         FrameCase(known.frame(raster), "// without what the oracle does not know\n${case.code}", known)
     }
 

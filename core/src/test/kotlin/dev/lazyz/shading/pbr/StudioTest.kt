@@ -13,7 +13,8 @@ import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 class StudioTest {
     private fun radiance(direction: Vector3d, alpha: Double): Double {
         val out = FloatArray(3)
-        Studio.radiance(direction.x.toFloat(), direction.y.toFloat(), direction.z.toFloat(), Math.sqrt(alpha).toFloat(), out, 0)
+        val roughness = Math.sqrt(alpha).toFloat()
+        Studio.radiance(direction.x.toFloat(), direction.y.toFloat(), direction.z.toFloat(), roughness, out, 0)
         return out[1].toDouble()
     }
 

@@ -138,8 +138,8 @@ internal class SceneFileWriter(private val out: Appendable) {
                 "a scene file holds no visibility of ambient light: write scene.withAmbientVisibility(null) instead"
             }
             require(scene.environment?.map == null) {
-                "a scene file holds no picture of surroundings: write scene.withEnvironment(null) instead, and name the " +
-                    "picture's file in \"environment\""
+                "a scene file holds no picture of surroundings: write scene.withEnvironment(null) instead, and name " +
+                    "the picture's file in \"environment\""
             }
             scene.surfaces.forEachIndexed { index, surface ->
                 val material = requireNotNull(surface.material.takeIf { isKnown(surface) }) {
