@@ -59,7 +59,9 @@ class ShadingOrderTest {
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun strategiesThatShadeLateDiscardNothing() {
         for ((name, frame) in frames) {
-            for (id in listOf("lazy", "flow", "scanline", "tiled", "hybrid", "lists", "warnock", "hierarchical", "raycast")) {
+            val others =
+                listOf("lazy", "flow", "scanline", "tiled", "hybrid", "lists", "warnock", "hierarchical", "raycast")
+            for (id in others) {
                 val order = order(id, frame)
                 assertEquals(0, order.discarded, "$name: $id")
             }

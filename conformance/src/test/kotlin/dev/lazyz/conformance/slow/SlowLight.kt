@@ -231,7 +231,7 @@ internal class SlowLight(private val scene: Scene, private val right: Vec, priva
     /** A step from 1 to 0 at the distance [half] on both sides, with a soft edge. */
     private fun inside(at: Double, half: Double): Double {
         fun edge(x: Double) = x / Math.sqrt(1 + x * x)
-        return (edge((at + half) / 0.03) - edge((at - half) / 0.03)) / 2
+        return (edge((at + half) / 0.2) - edge((at - half) / 0.2)) / 2
     }
 
     private fun mapped(light: DoubleArray): DoubleArray {
