@@ -10,6 +10,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.cli.conformance.ConformanceProcess
 import dev.lazyz.cli.conformance.ConformanceWords
 import dev.lazyz.cli.conformance.FuzzingOptions
+import dev.lazyz.cli.conformance.ProgramOptions
 import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.Completions
 import dev.lazyz.cli.options.HelpText
@@ -93,6 +94,8 @@ internal class ConformanceCommand(private val streams: Streams, private val args
 
     private val fuzzing by FuzzingOptions()
 
+    private val programs by ProgramOptions()
+
     private val deadline by option(
         "--deadline",
         help = "Seconds of processor time until a rendering times out; default: 20. If ten times as long passes on " +
@@ -134,16 +137,23 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         "zcli conformance --strategy lazy --rule 5.2 --tries 10" to "one rule, with ten times as many frames",
         "zcli conformance --strategy my-id --classpath my.jar --explore" to "new random frames",
         "zcli conformance --strategy tiled --against zbuffer --minutes 10 --corpus frames" to "two strategies compared",
+        "zcli conformance --program 'my-renderer {scene} {picture}' --report report" to "a program in any language",
         "zcli conformance --verify report/report.json --classpath my.jar" to "repeats and checks a recorded run",
     )
 
     override fun run() {
         fuzzing.check(rulesOnly())
+        programs.exported(strategyOnly() + rulesOnly())?.let {
+            streams.print(it)
+            return
+        }
         reportPlace = report?.let { ReportPlace(it, "--report") }
         val process = ConformanceProcess.current()
         if (process == null) frames?.let { announce(it) }
         val code = when {
             fuzzing.isAsked -> fuzz()
+
+            programs.isAsked -> judgeProgram()
 
             process != null -> process.answer { output ->
                 judged(process.journal) { output.writeText(it) }
@@ -170,6 +180,18 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         if (isJson) "--json" else null,
     )
 
+    /** Returns the options that were given of those that are about a strategy. */
+    private fun strategyOnly(): List<String> = listOfNotNull(
+        strategy?.let { "--strategy" },
+        if (classPath.isNotEmpty()) "--classpath" else null,
+        if (fuzzing.isAsked) "--against" else null,
+        if (isExploring) "--explore" else null,
+        waivers?.let { "--waivers" },
+        frames?.let { "--frames" },
+        verify?.let { "--verify" },
+        if (isInProcess) "--in-process" else null,
+    )
+
     /** Reports how many frames of the user's own are in [folder], so that a misspelt name is noticed. */
     private fun announce(folder: Path) {
         val saved = "frames that rules fail on are saved there"
@@ -185,13 +207,31 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         }
     }
 
-    /** Runs the suite, passes the text of the report to [print], and returns the exit code. */
-    private fun judged(journal: Path?, print: (String) -> Unit): Int = try {
-        val report = judge(journal)
+    private fun judgeProgram(): Int {
+        val run = programs.conformance(strategyOnly()).listener(progressListener())
+        seed?.let { run.seed(it) }
+        tries?.let { run.tries(it) }
+        deadline?.let { run.deadline(seconds(it)) }
+        reportPlace?.folder?.let { run.output(it) }
+        return try {
+            for (rule in rules) run.rule(rule)
+            answered(run.run()) { streams.print(it) }
+        } catch (bad: IllegalArgumentException) {
+            throw Mistake(bad.message.orEmpty())
+        }
+    }
+
+    /** Passes the text of [report] to [print], and returns the exit code. */
+    private fun answered(report: ConformanceReport, print: (String) -> Unit): Int {
         reportPlace?.takeIf { it.folder == null }?.let { Html.write(it.page, report.toHtml()) }
         val words = ConformanceWords(recorded, isJson)
         print(words.text(report))
-        words.code(report)
+        return words.code(report)
+    }
+
+    /** Runs the suite, passes the text of the report to [print], and returns the exit code. */
+    private fun judged(journal: Path?, print: (String) -> Unit): Int = try {
+        answered(judge(journal), print)
     } catch (hanging: NotMadeException) {
         noReport(hanging, hanging.isInconclusive)
     }

@@ -424,4 +424,28 @@ class ConformanceTest {
             assertTrue("${option.first} needs --against" in run.errors, run.errors)
         }
     }
+
+    @Test
+    fun programsAreTestedByScenes() {
+        val nothing = "exit 3; : {scene} {picture}"
+        val words = arrayOf("conformance", "--quiet", "--rule", "2.6", "--tries", "0.05")
+        val run = zcli(*words, "--program", nothing, "--jobs", "1").done()
+        assertTrue("conforms: 1 rule, 1 not supported" in run.text, run.text)
+        val baseline = folder.resolve("known.csv")
+        val failed = zcli(*words, "--program", "true {scene} {picture}", "--baseline", baseline)
+        assertEquals(ExitCode.DIFFERENT, failed.code, failed.errors)
+        assertTrue("17-spheres-01,wrong" in baseline.readText())
+        zcli(*words, "--program", "true {scene} {picture}", "--baseline", baseline).done()
+    }
+
+    @Test
+    fun optionsOfProgramsThatHaveNoEffectAreMistakes() {
+        val program = "draw {scene} {picture}"
+        zcli("conformance", "--program", "draw").mistake("--program: the command must have {scene}")
+        zcli("conformance", "--program", program, "--strategy", "lazy").mistake("--strategy has no effect with --program")
+        zcli("conformance", "--program", program, "--rule", "8.1").mistake("no rule '8.1'")
+        zcli("conformance", "--jobs", "2").mistake("--jobs needs --program")
+        zcli("conformance", "--baseline", "a.csv").mistake("--baseline needs --program")
+        zcli("conformance", "--export", "a", "--program", program).mistake("--program has no effect with --export")
+    }
 }

@@ -28,16 +28,22 @@ public class FrameCase(public val frame: Frame, public val code: String) {
     internal var scene: Scene? = null
         private set
 
-    internal constructor(frame: Frame, code: String, scene: Scene?) : this(frame, code) {
+    /** The frame as a scene of the corpus, which programs in any language read; null if it is none. */
+    internal var corpusScene: String? = null
+        private set
+
+    internal constructor(frame: Frame, code: String, scene: Scene?, corpusScene: String? = null) : this(frame, code) {
         this.scene = scene
+        this.corpusScene = corpusScene
     }
 
     /**
      * Returns the frame as the text of a scene file ([SceneFile]) that gives the same pixels, depths and primitives.
      * Returns null if a scene file cannot express the frame, for example because of custom primitives. If the frame is
-     * a region, the file has the whole raster.
+     * a region, the file has the whole raster. A frame of the corpus is a scene of the corpus instead.
      */
     public fun sceneFile(): String? {
+        corpusScene?.let { return it }
         val raster = frame.raster
         val scene = scene?.withBackground(raster.background) ?: return null
         if (scene.ambientVisibility != null) return null

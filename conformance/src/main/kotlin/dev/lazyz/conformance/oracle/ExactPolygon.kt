@@ -18,8 +18,9 @@ import java.math.MathContext
  * @param fillRule which parts are inside
  * @throws IllegalArgumentException if a contour does not consist of triples, or there are fewer than three vertices
  */
-public class ExactPolygon(contours: List<IntArray>, private val fillRule: FillRule) : ExactSurface {
-    private val contours = contours.filter { it.isNotEmpty() }.map { it.copyOf() }
+public class ExactPolygon(contours: List<IntArray>, internal val fillRule: FillRule) : ExactSurface {
+    /** As given, without empty contours. */
+    internal val contours: List<IntArray> = contours.filter { it.isNotEmpty() }.map { it.copyOf() }
     private val vertices: List<Corner>
     private val reference: List<Corner>
 
@@ -84,6 +85,15 @@ public class ExactPolygon(contours: List<IntArray>, private val fillRule: FillRu
         if (vertices.size == 3) return false
         val bounds = listOf(BigInteger.ZERO, big(Int.MAX_VALUE.toLong()) * plane.area).sorted()
         return vertices.any { plane.timesArea(it.x, it.y) !in bounds[0]..bounds[1] }
+    }
+
+    /**
+     * Returns three points x, y, depth whose plane has the depths of this polygon (rule 3.5). In the cases of rule 3.4,
+     * all three have the same depth.
+     */
+    internal fun planePoints(): List<List<Long>> {
+        val isLevel = isConstant(plane())
+        return reference.map { listOf(it.x, it.y, if (isLevel) reference[0].depth else it.depth) }
     }
 
     private fun plane(): Plane {

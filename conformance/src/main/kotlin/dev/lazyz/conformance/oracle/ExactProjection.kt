@@ -255,7 +255,9 @@ public class ExactPoint(private val x: Int, private val y: Int, private val dept
 public class ExactLine(ends: IntArray, width: Double) : ExactSurface {
     private val ends = ends.copyOf()
     private val points: List<ExactPoint>
-    private val quad: ExactPolygon
+
+    /** The four corners between the ends, without the points at the ends. */
+    internal val quad: ExactPolygon
     private val columns: IntRange
     private val runX: Long
     private val runY: Long

@@ -126,7 +126,7 @@ public class ConformanceReport internal constructor(
  * The renderer of a report. Immutable and thread safe.
  *
  * @property id its id
- * @property className its class
+ * @property className its class; of a program, the command that calls it
  * @property version version of its jar, according to the manifest, or `unknown`
  * @property capabilities the capabilities that it declares, in the order of [Capability]
  */
@@ -144,6 +144,9 @@ public class StrategyInfo private constructor(
         answer(emptyList()) { renderer.capabilities.sorted() },
         placeOf(renderer.javaClass),
     )
+
+    /** A program that is called by [command]. */
+    internal constructor(name: String, command: String) : this(name, command, "unknown", emptyList(), null)
 
     /** Returns the options with which `zcli` finds the class, with a leading blank; empty for built-in renderers. */
     internal fun classPath(): String = if (place == null) "" else " --classpath ${ShellWords.quoted(place)}"

@@ -120,7 +120,8 @@ internal class ReportText(private val report: ConformanceReport, private val isO
     /** Returns the remark in the line of a rule that is not described in detail elsewhere. */
     private fun note(result: RuleResult): String {
         val isDetailed = result.outcome.isDetailed && result !in report.detailed.take(MOST_DETAILED)
-        if (!isDetailed && result.outcome != RuleOutcome.NOT_SUPPORTED) return ""
+        val isShort = result.outcome == RuleOutcome.NOT_SUPPORTED || result.outcome == RuleOutcome.PASSED
+        if ((!isDetailed && !isShort) || result.message.isEmpty()) return ""
         return "  " + result.message.lineSequence().first().removePrefix("${report.strategy.id}: ").take(MOST_COLUMNS)
     }
 

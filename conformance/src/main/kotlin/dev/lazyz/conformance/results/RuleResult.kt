@@ -78,7 +78,7 @@ public enum class RuleOutcome(internal val words: String) {
  * @property rule the rule
  * @property outcome its outcome
  * @property message why it failed, is inconclusive, is not followed, is waived, was not run or is not supported; empty
- *   if it passed
+ *   if it passed. For a program, how many pictures are right, too
  * @property tries number of tries, without those that shrink a frame after a failure
  * @property milliseconds duration of the rule
  * @property distribution traits of the frames
@@ -95,7 +95,12 @@ public class RuleResult internal constructor(
 ) {
     /** Where to look in the renderer, in one sentence; empty if not known. */
     internal val look: String get() = when (outcome) {
-        RuleOutcome.TIMED_OUT -> if ((failure?.cause as? TimedOut)?.isAsleep == true) WHERE_IT_WAITS else WHERE_IT_LOOPS
+        RuleOutcome.TIMED_OUT -> when {
+            failure?.cause is Violation -> rule.look
+            (failure?.cause as? TimedOut)?.isAsleep == true -> WHERE_IT_WAITS
+            else -> WHERE_IT_LOOPS
+        }
+
         RuleOutcome.INCONCLUSIVE -> WHAT_TO_DO
         else -> failure?.let { crashLook(it.cause) } ?: rule.look
     }

@@ -22,10 +22,18 @@ import java.nio.file.NotDirectoryException
  * @property intent why the rule exists, in one sentence
  * @property look where to look in the renderer when the rule fails, in one sentence
  */
-public class SuiteRule private constructor(internal val method: Method) {
-    private val rule: Rule = method.getAnnotation(Rule::class.java)
+public class SuiteRule private constructor(
+    public val name: String,
+    private val rule: Rule,
+    private val ownMethod: Method?,
+) {
+    private constructor(method: Method) : this(method.name, method.getAnnotation(Rule::class.java), method)
 
-    public val name: String get() = method.name
+    /** A rule that has no method, because its frames are scenes of the corpus. */
+    internal constructor(name: String, rule: Rule) : this(name, rule, null)
+
+    /** The method of a rule for renderers. */
+    internal val method: Method get() = checkNotNull(ownMethod) { "$name is a rule of the corpus" }
 
     public val level: Level get() = rule.level
 
@@ -37,7 +45,7 @@ public class SuiteRule private constructor(internal val method: Method) {
     internal val about: Set<Symptom> get() = rule.about.toSet()
 
     /** How often it is tried by default. */
-    internal val tries: Int get() = if (method.parameterCount > 0) rule.tries else 1
+    internal val tries: Int get() = if (ownMethod?.parameterCount == 0) 1 else rule.tries
 
     /** Whether other rules are named before it, see [Rule.isSpecial]. */
     internal val isSpecial: Boolean get() = rule.isSpecial
