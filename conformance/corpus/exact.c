@@ -1,5 +1,5 @@
 /*
- * Draws a scene of the corpus; written from docs/corpus.md alone. Coverage and depth are exact rational numbers.
+ * Draws a scene of the corpus, as docs/corpus.md says. Coverage and depth are exact rational numbers.
  *
  *   cc -O2 -o exact exact.c -lm
  *   exact SCENE PICTURE [DEPTH PRIMITIVE]

@@ -1,4 +1,4 @@
-// Draws a scene of the corpus with Node.js, in double precision; written from docs/corpus.md.
+// Draws a scene of the corpus with Node.js, in double precision, as docs/corpus.md says.
 //
 //   node floats.js SCENE PICTURE [DEPTH PRIMITIVE]
 

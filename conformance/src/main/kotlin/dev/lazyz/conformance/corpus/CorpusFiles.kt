@@ -96,7 +96,8 @@ public object CorpusFiles {
         zlib.putShort(0x7801).put(1).order(ByteOrder.LITTLE_ENDIAN)
         zlib.putShort(raw.size.toShort()).putShort(raw.size.inv().toShort()).put(raw).order(ByteOrder.BIG_ENDIAN)
         zlib.putInt(Adler32().apply { update(raw) }.value.toInt())
-        val header = ByteBuffer.allocate(HEADER).putInt(image.width).putInt(image.height).put(byteArrayOf(8, 6, 0, 0, 0))
+        val header = ByteBuffer.allocate(HEADER).putInt(image.width).putInt(image.height)
+        header.put(byteArrayOf(8, 6, 0, 0, 0))
         val file = ByteArrayOutputStream()
         DataOutputStream(file).use { output ->
             output.writeLong(SIGNATURE)
@@ -148,7 +149,9 @@ internal object Npy {
         }
         val type = header.substringAfter("'descr': '", "").substringBefore('\'')
         val size = mapOf("|u1" to 1, "<i4" to Int.SIZE_BYTES)[type]
-        if (size == null || "'fortran_order': False" !in header) throw IOException("must have the type |u1 or <i4, in C order")
+        if (size == null || "'fortran_order': False" !in header) {
+            throw IOException("must have the type |u1 or <i4, in C order")
+        }
         val count = shape.fold(1) { product, it -> product * it }
         if (bytes.size < start + size * count) throw IOException("is too short")
         val data = ByteBuffer.wrap(bytes, start, size * count).slice().order(ByteOrder.LITTLE_ENDIAN)

@@ -54,7 +54,7 @@ internal class CorpusColor(val red: Int, val green: Int, val blue: Int, val alph
     }
 }
 
-/** A primitive of a scene of the corpus: whole numbers on the contract's grid, in one colour or with one at each vertex. */
+/** A primitive of a scene of the corpus, in whole numbers on the contract's grid. */
 internal sealed class CorpusShape(val color: CorpusColor) {
     val isTranslucent: Boolean get() = color.alpha < 255
 

@@ -85,7 +85,10 @@ internal class Program(private val command: String, private val deadline: Durati
             late is Drawing.Late -> Drawing.Late(late.lateness, late.message + text)
             late is Drawing.Failed -> Drawing.Failed(late.isCrash, late.message + text)
             process.exitValue() == NOT_SUPPORTED -> Drawing.NotSupported
-            process.exitValue() != 0 -> Drawing.Failed(isCrash = true, "ended with exit code ${process.exitValue()}$text")
+
+            process.exitValue() != 0 ->
+                Drawing.Failed(isCrash = true, "ended with exit code ${process.exitValue()}$text")
+
             else -> null
         }
     }
