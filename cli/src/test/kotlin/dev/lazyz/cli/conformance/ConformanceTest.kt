@@ -442,7 +442,8 @@ class ConformanceTest {
     fun optionsOfProgramsThatHaveNoEffectAreMistakes() {
         val program = "draw {scene} {picture}"
         zcli("conformance", "--program", "draw").mistake("--program: the command must have {scene}")
-        zcli("conformance", "--program", program, "--strategy", "lazy").mistake("--strategy has no effect with --program")
+        val both = zcli("conformance", "--program", program, "--strategy", "lazy")
+        both.mistake("--strategy has no effect with --program")
         zcli("conformance", "--program", program, "--rule", "8.1").mistake("no rule '8.1'")
         zcli("conformance", "--jobs", "2").mistake("--jobs needs --program")
         zcli("conformance", "--baseline", "a.csv").mistake("--baseline needs --program")

@@ -39,7 +39,9 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
     /** Writes the files of one [failure] of [rule] to [failures], and returns their names. */
     fun write(failure: RuleFailure, failures: Path, rule: SuiteRule): List<String> {
         val files = LinkedHashMap<String, ByteArray>()
-        failure.case?.takeIf { it.corpusScene == null }?.let { files["$rule.kt"] = snippet(it, rule, failure).toByteArray() }
+        failure.case?.takeIf { it.corpusScene == null }?.let {
+            files["$rule.kt"] = snippet(it, rule, failure).toByteArray()
+        }
         failure.sceneFile?.let { files["$rule.json"] = it.toByteArray() }
         failure.before.forEachIndexed { i, it -> files["$rule-before-${i + 1}.kt"] = before(it, rule).toByteArray() }
         for ((name, png) in Pictures.of(failure)?.png().orEmpty()) files["$rule-$name.png"] = png

@@ -1,8 +1,8 @@
 package dev.lazyz.conformance.corpus
 
+import dev.lazyz.conformance.assertSamePicture
 import dev.lazyz.conformance.census.Census
 import dev.lazyz.conformance.census.FrameTrait
-import dev.lazyz.conformance.assertSamePicture
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene

@@ -56,8 +56,10 @@ class ProgramTest {
         assertTrue(report.isConformant, report.toText())
         assertEquals(listOf("rule_2_4_holes", "rule_2_4_selfCrossing"), report.results.map { it.rule.name })
         assertTrue(report.results.all { Regex("(\\d exact)?(, )?(\\d within)?").matches(it.message) }, report.toText())
-        assertTrue("zcli conformance --program '${folder.resolve("exact0")} $all' --seed" in report.toJUnitXml() +
-            report.commandFor(report.results[0].rule))
+        assertTrue(
+            "zcli conformance --program '${folder.resolve("exact0")} $all' --seed" in report.toJUnitXml() +
+                report.commandFor(report.results[0].rule)
+        )
     }
 
     @Test
