@@ -46,7 +46,7 @@ public class FrameCase(public val frame: Frame, public val code: String) {
         corpusScene?.let { return it }
         val raster = frame.raster
         val scene = scene?.withBackground(raster.background) ?: return null
-        if (scene.ambientVisibility != null) return null
+        if (scene.ambientVisibility != null || scene.environment?.map != null) return null
         return SceneFile.format(scene, ImageSize(raster.width, raster.height), DepthRules.of(raster))
     }
 
