@@ -2,6 +2,7 @@ package dev.lazyz
 
 import java.security.MessageDigest
 import java.util.BitSet
+import java.util.HexFormat
 
 /**
  * A rendered image: a colour, a depth and the index of the visible primitive for each sample.
@@ -174,7 +175,7 @@ public class Image(
         }
 
         /** Returns the hash of the rows so far as 64 hexadecimal digits, and resets. */
-        public fun digest(): String = sha.digest().joinToString("") { "%02x".format(it) }
+        public fun digest(): String = HexFormat.of().formatHex(sha.digest())
     }
 
     public companion object {

@@ -7,6 +7,7 @@ import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.deleteExisting
 import kotlin.io.path.readText
+import kotlin.system.exitProcess
 
 /** A display on which processes can open windows: an Xvfb of its own. */
 internal class VirtualDisplay private constructor(private val server: Process, private val number: String) :
@@ -34,6 +35,28 @@ internal class VirtualDisplay private constructor(private val server: Process, p
     }
 
     companion object {
+        /** The main function of a program for [run]: ends the process after [work], with a failure on the output. */
+        fun program(work: () -> Unit): Nothing {
+            val code = try {
+                work()
+                println("done")
+                0
+            } catch (failure: Throwable) {
+                failure.printStackTrace()
+                1
+            }
+            exitProcess(code)
+        }
+
+        /** Waits until [condition] holds. After five minutes it fails, with what [state] returns. */
+        fun await(what: String, state: () -> String, condition: () -> Boolean) {
+            val end = System.nanoTime() + TimeUnit.MINUTES.toNanos(5)
+            while (!condition()) {
+                check(System.nanoTime() < end) { "$what: ${state()}" }
+                Thread.sleep(20)
+            }
+        }
+
         /** Starts a display, or returns null if Xvfb is not installed. */
         fun open(): VirtualDisplay? {
             val words = listOf("Xvfb", "-displayfd", "1", "-screen", "0", "1400x1000x24", "-nolisten", "tcp")

@@ -17,6 +17,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.security.DigestInputStream
 import java.security.MessageDigest
+import java.util.HexFormat
 
 /** The output format of statistics. */
 internal enum class StatsForm { TABLE, JSON }
@@ -131,7 +132,7 @@ internal class Resumption(private val args: List<String>) {
     private fun hash(file: Path): String {
         val sha = MessageDigest.getInstance("SHA-256")
         DigestInputStream(Files.newInputStream(file), sha).use { it.transferTo(OutputStream.nullOutputStream()) }
-        return sha.digest().joinToString("") { "%02x".format(it) }
+        return HexFormat.of().formatHex(sha.digest())
     }
 
     companion object {

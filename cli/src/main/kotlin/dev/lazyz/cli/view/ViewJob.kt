@@ -7,6 +7,7 @@ import dev.lazyz.cli.output.CommandLine
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.Version
+import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.swing.ModelView
 import java.awt.AWTError
@@ -86,8 +87,8 @@ private class ViewWindow(
     fun open() {
         val settings = input.settings
         view.settings = settings
-        settings[PictureParameters.SIZE]?.let { view.preferredSize = Dimension(it.width, it.height) }
-            ?: run { view.preferredSize = Dimension(WIDTH, HEIGHT) }
+        val size = settings[PictureParameters.SIZE] ?: USUAL_SIZE
+        view.preferredSize = Dimension(size.width, size.height)
         view.onRest = Runnable { streams.progress("") }
         window.jMenuBar = menus()
         window.contentPane.add(view)
@@ -178,8 +179,7 @@ private class ViewWindow(
     }
 
     private companion object {
-        const val WIDTH = 960
-        const val HEIGHT = 640
+        val USUAL_SIZE = ImageSize(960, 640)
         const val PERIOD_MILLIS = 500
     }
 }

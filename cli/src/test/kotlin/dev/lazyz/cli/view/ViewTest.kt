@@ -24,7 +24,6 @@ import java.util.concurrent.TimeUnit
 import javax.swing.JFrame
 import javax.swing.SwingUtilities
 import kotlin.io.path.writeText
-import kotlin.system.exitProcess
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
@@ -67,17 +66,7 @@ class ViewTest {
 }
 
 /** Uses the window of `zcli view` for the file of the first argument and a teapot; the second is a folder. */
-fun main(args: Array<String>) {
-    val code = try {
-        ViewRun(args[0], Path.of(args[1])).run()
-        println("done")
-        0
-    } catch (failure: Throwable) {
-        failure.printStackTrace()
-        1
-    }
-    exitProcess(code)
-}
+fun main(args: Array<String>): Unit = VirtualDisplay.program { ViewRun(args[0], Path.of(args[1])).run() }
 
 private class ViewRun(private val file: String, private val folder: Path) {
     private val robot = Robot()
@@ -158,11 +147,7 @@ private class ViewRun(private val file: String, private val folder: Path) {
     private fun BufferedImage.argb() = getRGB(0, 0, width, height, null, 0, width).map { it or (0xFF shl 24) }
 
     private fun await(what: String, condition: () -> Boolean) {
-        val end = System.nanoTime() + TimeUnit.MINUTES.toNanos(5)
-        while (!condition()) {
-            check(System.nanoTime() < end) { "$what: $errors" }
-            Thread.sleep(50)
-        }
+        VirtualDisplay.await(what, { "$errors" }, condition)
         SwingUtilities.invokeAndWait {}
     }
 }

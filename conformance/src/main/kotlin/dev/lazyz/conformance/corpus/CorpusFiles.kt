@@ -10,6 +10,7 @@ import java.nio.ByteOrder
 import java.nio.file.Files
 import java.nio.file.Path
 import java.security.MessageDigest
+import java.util.HexFormat
 import java.util.zip.Adler32
 import java.util.zip.CRC32
 import net.jqwik.api.sessions.JqwikSession
@@ -62,7 +63,7 @@ public object CorpusFiles {
 
     /** Returns the SHA-256 of [bytes] in hexadecimal digits. */
     internal fun sha256(bytes: ByteArray): String =
-        MessageDigest.getInstance("SHA-256").digest(bytes).joinToString("") { "%02x".format(it) }
+        HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes))
 
     private fun files(case: CorpusCase): Map<String, ByteArray> {
         val picture = case.scene.expected

@@ -11,12 +11,10 @@ import java.awt.event.InputEvent
 import java.awt.event.KeyEvent
 import java.awt.image.BufferedImage
 import java.nio.file.Path
-import java.util.concurrent.TimeUnit
 import javax.imageio.ImageIO
 import javax.swing.JFrame
 import javax.swing.SwingUtilities
 import kotlin.io.path.writeText
-import kotlin.system.exitProcess
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
@@ -41,17 +39,7 @@ class WindowTest {
 }
 
 /** Uses a window with the model of the first argument, and writes a picture of the screen to the second. */
-fun main(args: Array<String>) {
-    val code = try {
-        RobotRun(Path.of(args[0]), Path.of(args[1])).run()
-        println("done")
-        0
-    } catch (failure: Throwable) {
-        failure.printStackTrace()
-        1
-    }
-    exitProcess(code)
-}
+fun main(args: Array<String>): Unit = VirtualDisplay.program { RobotRun(Path.of(args[0]), Path.of(args[1])).run() }
 
 private class RobotRun(private val file: Path, private val picture: Path) {
     private val robot = Robot()
@@ -110,15 +98,12 @@ private class RobotRun(private val file: Path, private val picture: Path) {
 
     private fun awaitWords(words: String) = await(words) { words in view.accessibleContext.accessibleDescription }
 
-    private fun await(what: String, condition: () -> Boolean) {
-        val end = System.nanoTime() + TimeUnit.MINUTES.toNanos(5)
-        var holds = false
-        while (!holds) {
-            check(System.nanoTime() < end) { "$what: ${view.accessibleContext.accessibleDescription}" }
-            Thread.sleep(20)
+    private fun await(what: String, condition: () -> Boolean) =
+        VirtualDisplay.await(what, { view.accessibleContext.accessibleDescription }) {
+            var holds = false
             SwingUtilities.invokeAndWait { holds = condition() }
+            holds
         }
-    }
 
     private fun expected() = checkNotNull(view.pictureSettings).frame(model).render(TiledRenderer()).argb.toList()
 

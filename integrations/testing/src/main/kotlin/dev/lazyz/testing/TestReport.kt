@@ -13,6 +13,7 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption.CREATE
 import java.nio.file.StandardOpenOption.WRITE
 import java.security.MessageDigest
+import java.util.HexFormat
 import java.util.concurrent.ConcurrentHashMap
 import kotlin.io.path.ExperimentalPathApi
 import kotlin.io.path.deleteRecursively
@@ -67,7 +68,7 @@ internal class TestReport(private val settings: GoldenSettings, private val test
     private fun fileName(failure: GoldenFailure): String {
         val sha = MessageDigest.getInstance("SHA-256")
         sha.update(failure.golden.toByteArray())
-        val hash = sha.digest(failure.actual.png).take(4).joinToString("") { "%02x".format(it) }
+        val hash = HexFormat.of().formatHex(sha.digest(failure.actual.png), 0, 4)
         return failure.golden.substringAfterLast('/').substringAfterLast('\\').removeSuffix(".png") + "-$hash"
     }
 

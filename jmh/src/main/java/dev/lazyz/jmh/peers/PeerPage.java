@@ -29,6 +29,8 @@ public final class PeerPage {
     /** Lazy Z as sentences about lit files show it. */
     private static final List<String> LIT = List.of("JDK 25 with the Vector API", "JDK 25", "JDK 17");
 
+    private static final String LIT_RATIOS = "%.2f to %.2f (median %.2f)";
+
     /** What the scenes are. */
     private static final Map<String, String> CONTENTS = Map.of(
             "S1", "S1, 100,000 triangles of about 200 pixels",
@@ -116,21 +118,24 @@ public final class PeerPage {
                 subject -> subject.scene().replace(TriangleSource.LIT_LABEL, "")));
         text.append('\n');
         for (String program : LIT) {
-            String many = spread(
-                    lit.stream().filter(subject -> subject.samples() > 1).map(subject -> ratio(subject, program)));
+            String many = spread(LIT_RATIOS, ratios(lit, 4, program));
             if (!many.isEmpty()) {
-                String one = spread(
-                        lit.stream().filter(subject -> subject.samples() == 1).map(subject -> ratio(subject, program)));
                 text.append(String.format(
                         "- %s: 1 sample %s, 16 samples %s times as fast as %s; 16 take %s times as long as 1.%n",
                         program,
-                        one,
+                        spread(LIT_RATIOS, ratios(lit, 1, program)),
                         many,
                         SideBySide.BASE,
-                        spread(lit.stream().map(subject -> more(subject, program)))));
+                        spread(LIT_RATIOS, lit.stream().map(subject -> more(subject, program)))));
             }
         }
         return text.toString();
+    }
+
+    private Stream<OptionalDouble> ratios(List<PeerScene> subjects, int samples, String program) {
+        return subjects.stream()
+                .filter(subject -> subject.samples() == samples)
+                .map(subject -> ratio(subject, program));
     }
 
     /** Returns how many times as long a picture takes with several samples a pixel; nothing for one with one sample. */
@@ -159,34 +164,20 @@ public final class PeerPage {
 
     /** Returns a line about the least, the greatest and the middle one of some ratios; nothing if there are none. */
     static String range(String before, Stream<OptionalDouble> ratios, String after) {
-        double[] known = known(ratios);
+        return spread("- " + before + "%.2f to %.2f" + after + ", %.2f in the median.%n", ratios);
+    }
+
+    /** Returns the least, the greatest and the middle one of some ratios in a format; nothing if there are none. */
+    private static String spread(String format, Stream<OptionalDouble> ratios) {
+        double[] known = ratios.flatMapToDouble(OptionalDouble::stream).sorted().toArray();
         return known.length == 0
                 ? ""
                 : String.format(
                         Locale.ROOT,
-                        "- %s%.2f to %.2f%s, %.2f in the median.%n",
-                        before,
-                        known[0],
-                        known[known.length - 1],
-                        after,
-                        Measurements.median(known).getAsDouble());
-    }
-
-    /** Returns the least, the greatest and the middle one of some ratios; nothing if there are none. */
-    private static String spread(Stream<OptionalDouble> ratios) {
-        double[] known = known(ratios);
-        return known.length == 0
-                ? ""
-                : String.format(
-                        Locale.ROOT,
-                        "%.2f to %.2f (median %.2f)",
+                        format,
                         known[0],
                         known[known.length - 1],
                         Measurements.median(known).getAsDouble());
-    }
-
-    private static double[] known(Stream<OptionalDouble> ratios) {
-        return ratios.flatMapToDouble(OptionalDouble::stream).sorted().toArray();
     }
 
     /** Returns sentences about all pictures of mesh files. */

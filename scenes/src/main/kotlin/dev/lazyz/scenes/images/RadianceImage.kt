@@ -5,6 +5,7 @@ import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.EnvironmentMap
 import java.lang.ref.SoftReference
+import java.nio.ByteBuffer
 import java.security.MessageDigest
 
 /**
@@ -173,14 +174,13 @@ internal class RadianceImage private constructor(private val source: Source) {
         /** Of the exponent, with the 8 bits of the mantissa. */
         private const val BIAS = 136
 
-        /** Maps that were computed last, by what their files have in them. */
-        private val kept = LinkedHashMap<String, SoftReference<EnvironmentMap>>()
+        /** Maps that were computed last, by the SHA-256 of what their files have in them. */
+        private val kept = LinkedHashMap<ByteBuffer, SoftReference<EnvironmentMap>>()
         private const val MOST_KEPT = 4
 
         /** Returns the map of the picture in [source]. Another file with the same bytes gives the same map. */
         fun read(source: Source, options: RenderOptions): EnvironmentMap {
-            val digest = MessageDigest.getInstance("SHA-256").digest(source.bytes)
-            val key = digest.joinToString("") { "%02x".format(it) }
+            val key = ByteBuffer.wrap(MessageDigest.getInstance("SHA-256").digest(source.bytes))
             synchronized(kept) { kept[key]?.get() }?.let { return it }
             val map = RadianceImage(source).map(options)
             synchronized(kept) {
