@@ -34,23 +34,24 @@ internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
 
     init {
         versionOption(Version.text, help = "Print the version and exit", message = { "zcli $it" })
-        val commands = mapOf(
-            "render" to { RenderCommand(streams, args) },
-            "view" to { ViewCommand(streams) },
-            "compare" to { CompareCommand(streams, args) },
-            "diff" to { DiffCommand(streams) },
-            "report" to { ReportCommand(streams, args) },
-            "trace" to { TraceCommand(streams) },
-            "conformance" to { ConformanceCommand(streams, args) },
-            "scenes" to { ScenesCommand(streams) },
-            "strategies" to { StrategiesCommand(streams) },
-            ManCommand.NAME to { ManCommand(streams) },
-            CompletionCommand.NAME to { CompletionCommand(streams) },
-        )
         val first = args.firstOrNull()
-        val only = commands[first].takeUnless { first == ManCommand.NAME || first == CompletionCommand.NAME }
-        if (first !in commands && first != null && !first.startsWith("-")) throw unknown(first, commands.keys)
-        subcommands(if (only != null) listOf(only()) else commands.values.map { it() })
+        if (first != null && first !in NAMES && !first.startsWith("-")) throw unknown(first)
+        val needsAll = first !in NAMES || first == ManCommand.NAME || first == CompletionCommand.NAME
+        subcommands((if (needsAll) NAMES else listOfNotNull(first)).map { command(it, streams, args) })
+    }
+
+    private fun command(name: String, streams: Streams, args: List<String>): Command = when (name) {
+        "render" -> RenderCommand(streams, args)
+        "view" -> ViewCommand(streams)
+        "compare" -> CompareCommand(streams, args)
+        "diff" -> DiffCommand(streams)
+        "report" -> ReportCommand(streams, args)
+        "trace" -> TraceCommand(streams)
+        "conformance" -> ConformanceCommand(streams, args)
+        "scenes" -> ScenesCommand(streams)
+        "strategies" -> StrategiesCommand(streams)
+        ManCommand.NAME -> ManCommand(streams)
+        else -> CompletionCommand(streams)
     }
 
     override fun help(context: Context): String =
@@ -66,13 +67,20 @@ internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
     override fun run() = Unit
 
     /** Returns the error for an unknown command. If the word is an input, suggests 'zcli render'. */
-    private fun unknown(word: String, commands: Set<String>): Mistake {
+    private fun unknown(word: String): Mistake {
         val isInput = SceneFormat.ofFileName(word) != null || Scenes.builtins.any { it.id == word }
         val hint = when {
             isInput -> "; did you mean 'zcli render $word'?"
             word == "help" -> "; did you mean 'zcli --help'?"
-            else -> EditDistance.hint(word, commands)
+            else -> EditDistance.hint(word, NAMES)
         }
         return Mistake("no command '$word'$hint\nSee 'zcli --help'.")
+    }
+
+    private companion object {
+        val NAMES = listOf(
+            "render", "view", "compare", "diff", "report", "trace", "conformance", "scenes", "strategies",
+            ManCommand.NAME, CompletionCommand.NAME,
+        )
     }
 }
