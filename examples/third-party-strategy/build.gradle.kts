@@ -7,8 +7,8 @@ repositories {
 }
 
 dependencies {
-    implementation("dev.lazyz:lazyz-core:0.1.0")
-    testImplementation("dev.lazyz:lazyz-conformance:0.1.0")
+    implementation("dev.lazyz:lazyz-core:0.2.0")
+    testImplementation("dev.lazyz:lazyz-conformance:0.2.0")
 }
 
 tasks.withType<JavaCompile>().configureEach {
