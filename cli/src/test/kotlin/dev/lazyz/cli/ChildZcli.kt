@@ -10,8 +10,8 @@ import org.junit.jupiter.api.Assertions.assertTrue
 internal class ChildZcli(private val folder: Path) {
     private val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
 
-    /** Standard error of the process that was started last. */
-    val errors: String get() = folder.resolve("errors.txt").readText()
+    /** The [messages] of the process that was started last. */
+    val errors: String get() = messages(folder)
 
     fun start(
         args: List<String>,
@@ -46,3 +46,8 @@ internal class ChildZcli(private val folder: Path) {
         }
     }
 }
+
+/** Standard error of a process, `errors.txt` in [folder], without the lines about its progress every ten seconds. */
+internal fun messages(folder: Path): String = folder.resolve("errors.txt").readText().replace(PROGRESS, "")
+
+private val PROGRESS = Regex("zcli: after \\d+ s: .*\n")

@@ -41,7 +41,7 @@ class LauncherTest {
     lateinit var folder: Path
 
     private val cache get() = folder.resolve("cache")
-    private val errors get() = folder.resolve("errors.txt").readText()
+    private val errors get() = messages(folder)
     private val archives get() = cache.listDirectoryEntries()
 
     private fun zcli(
