@@ -46,6 +46,7 @@ internal class MaterialReader(source: Source) {
             "sides", "tint", "metallicRoughness", "normalMap", "occlusionMap", "emissionMap",
         )
         val plain = Material()
+        val physical = members["metallicRoughness"]?.let(::model)
         return node.checked {
             Material(
                 baseColor = members["baseColor"]?.let(ColorReader::read) ?: plain.baseColor,
@@ -53,13 +54,14 @@ internal class MaterialReader(source: Source) {
                 specular = members["specular"]?.let(ColorReader::read) ?: plain.specular,
                 shininess = members["shininess"]?.integer() ?: plain.shininess,
                 emission = members["emission"]?.let(ColorReader::read) ?: plain.emission,
-                alphaMode = members["alphaMode"]?.choice(SceneFileNames.alphaModes) ?: plain.alphaMode,
+                alphaMode = members["alphaMode"]?.choice(SceneFileNames.alphaModes)
+                    ?: SceneFileNames.usualAlphaMode(physical),
                 alphaCutoff = members["alphaCutoff"]?.float() ?: plain.alphaCutoff,
                 sides = members["sides"]?.choice(SceneFileNames.sides) ?: plain.sides,
                 shader = members["tint"]?.integer()?.let(::Tint),
                 name = members["name"]?.text() ?: name,
             ).withTextureMap(members["texture"]?.let { textures.read(it, Texture.Encoding.SRGB) })
-                .withMetallicRoughness(members["metallicRoughness"]?.let(::model))
+                .withMetallicRoughness(physical)
                 .withNormalMap(members["normalMap"]?.let(::normalMap))
                 .withOcclusionMap(members["occlusionMap"]?.let(::occlusionMap))
                 .withEmissionMap(members["emissionMap"]?.let { textures.read(it, Texture.Encoding.SRGB) })

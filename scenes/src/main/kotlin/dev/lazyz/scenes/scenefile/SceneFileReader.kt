@@ -28,6 +28,7 @@ import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.Texture
@@ -137,6 +138,10 @@ internal object SceneFileNames {
     val projections: Map<String, Fit> = names(Fit.entries)
     val shadings: Map<String, Shading> = names(Shading.entries)
     val alphaModes: Map<String, AlphaMode> = names(AlphaMode.entries)
+
+    /** The alpha mode of a material that names none: glass would be opaque, and so no glass, otherwise. */
+    fun usualAlphaMode(model: MetallicRoughness?): AlphaMode =
+        if (model?.lobes?.transmission != null) AlphaMode.BLEND else AlphaMode.OPAQUE
     val sides: Map<String, Sides> = names(Sides.entries)
     val filters: Map<String, Texture.Filter> = names(Texture.Filter.entries)
     val mipFilters: Map<String, MipFilter> = names(MipFilter.entries)

@@ -64,6 +64,18 @@ class SceneFileTest {
     }
 
     @Test
+    fun glassIsTranslucentUnlessItSaysOtherwise() {
+        fun modes(members: String) = SceneFile.parse(
+            """{"lazyz": 1, "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": {$members}}]}""",
+        ).scene.surfaces.map { (it as Sphere).material.alphaMode }
+
+        val glass = """"metallicRoughness": {"transmission": {}}"""
+        assertEquals(listOf(Material.AlphaMode.BLEND), modes(glass))
+        assertEquals(listOf(Material.AlphaMode.OPAQUE), modes(""""alphaMode": "opaque", $glass"""))
+        assertEquals(listOf(Material.AlphaMode.OPAQUE), modes(""""metallicRoughness": {"sheen": {"color": "red"}}"""))
+    }
+
+    @Test
     fun surfacesShareTheMaterialThatTheyName() {
         val sphere = """{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "red"}"""
         val scene = SceneFile.parse(
