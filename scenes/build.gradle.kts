@@ -11,6 +11,7 @@ dependencies {
     implementation(libs.imageio.webp)
     implementation(libs.obj)
     implementation(libs.earcut4j)
+    compileOnly(libs.kotlin.jupyter.api)
     testImplementation(libs.jackson.databind)
     testImplementation(libs.jacoco.core)
 }

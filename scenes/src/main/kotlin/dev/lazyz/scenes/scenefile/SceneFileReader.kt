@@ -28,9 +28,9 @@ import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.material.Material.AlphaMode
-import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Material.Sides
+import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter
 import org.joml.Vector3d
