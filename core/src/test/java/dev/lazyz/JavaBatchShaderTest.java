@@ -32,36 +32,6 @@ class JavaBatchShaderTest {
     }
 
     @Test
-    void fragmentsHaveNoAttributesAtFirst() {
-        FragmentBatch batch = FragmentBatch.of(2);
-        assertEquals("FragmentBatch(2 fragments)", batch.toString());
-        float[][] zeros = {
-            batch.worldX,
-            batch.worldY,
-            batch.worldZ,
-            batch.normalX,
-            batch.normalY,
-            batch.normalZ,
-            batch.u,
-            batch.v,
-            batch.red,
-            batch.green,
-            batch.blue,
-        };
-        float[][] ones = {batch.vertexRed, batch.vertexGreen, batch.vertexBlue, batch.vertexAlpha, batch.alpha};
-        for (int i = 0; i < batch.getSize(); i++) {
-            assertEquals(0, batch.x[i]);
-            assertEquals(0, batch.y[i]);
-            for (float[] numbers : zeros) {
-                assertEquals(0f, numbers[i]);
-            }
-            for (float[] numbers : ones) {
-                assertEquals(1f, numbers[i]);
-            }
-        }
-    }
-
-    @Test
     void aBatchHasAtLeastOneFragmentAndNoMoreThanItsCapacity() {
         for (int size : new int[] {Integer.MIN_VALUE, -1, 0, FragmentBatch.CAPACITY + 1}) {
             IllegalArgumentException error = assertThrows(IllegalArgumentException.class, () -> FragmentBatch.of(size));

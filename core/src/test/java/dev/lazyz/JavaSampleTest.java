@@ -2,7 +2,6 @@ package dev.lazyz;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -21,23 +20,6 @@ import org.junit.jupiter.api.Test;
 
 /** Typical Java code of a user of the library. */
 class JavaSampleTest {
-    @Test
-    void coloursOfAHue() {
-        assertEquals(Rgba.ofRgb(0x00FF00), Rgba.hsv(120, 1, 1));
-        assertEquals(Rgba.ofArgb(0x330000FF), Rgba.hsv(240, 1, 1, 0.2f));
-    }
-
-    /** It does not compile if an option takes an object of a number. */
-    @Test
-    void numbersOfOptionsAreLiterals() {
-        RenderOptions options = new RenderOptions().withMemoryBudget(1000).withBandBytes(2000);
-        assertEquals(1000, options.getMemoryBudget());
-        assertEquals(2000, options.getBandBytes());
-        RenderOptions free = options.withoutMemoryBudget().withDefaultBandBytes();
-        assertNull(free.getMemoryBudget());
-        assertNull(free.getBandBytes());
-    }
-
     @Test
     void aTranslucentPrimitiveIsMadeOpaque() throws InterruptedException {
         Material glass = new Material(Rgba.WHITE.withAlpha(0.5f)).withAlphaMode(AlphaMode.BLEND);

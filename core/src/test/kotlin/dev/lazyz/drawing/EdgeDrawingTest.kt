@@ -6,7 +6,6 @@ import dev.lazyz.Rgba
 import dev.lazyz.drawing.EdgeStyle.EdgeSet
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.filter.SuperSampling
-import dev.lazyz.geometry.Transforms
 import dev.lazyz.shared.ProcessorTime
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
@@ -23,7 +22,6 @@ import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Surface
 import java.util.Random
-import org.joml.Matrix4d
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -103,85 +101,6 @@ class EdgeDrawingTest {
             assertTrue(render(listOf(Mesh(positions, triangles, oneSided)), EdgeStyle()).isBlack(50, 30)) { "$front" }
         }
     }
-
-    /**
-     * An edge of a convex solid is visible if one of its faces shows its front. All pixels that contain a point of it
-     * are drawn, and pixels away from visible edges are not.
-     */
-    @Test
-    fun rule_10_2_aConvexSolidShowsItsVisibleEdges() {
-        val random = Random(7)
-        repeat(40) {
-            val angles = DoubleArray(3) { random.nextDouble() * 6 }
-            val turn = turn(0, angles[0], turn(1, angles[1], turn(2, angles[2], Matrix4d())))
-            val solid = Solids.box(-1f, -0.7f, -0.4f, 1f, 0.7f, 0.4f, plain).transformed(turn)
-            val eye = Vector3d(1.0, 2.0, 6.0)
-            val camera = if (it % 2 == 0) {
-                Camera.perspective(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 30.0, 1.0, 20.0)
-            } else {
-                Camera.orthographic(eye, Vector3d(), Vector3d(0.0, 1.0, 0.0), 3.5, 1.0, 20.0)
-            }
-            assertShown(solid, camera, EdgeStyle(width = 1.5 + it % 4))
-        }
-    }
-
-    private fun turn(axis: Int, angle: Double, first: Matrix4d): Matrix4d {
-        val c = StrictMath.cos(angle)
-        val s = StrictMath.sin(angle)
-        val p = (axis + 1) % 3
-        val q = (axis + 2) % 3
-        val elements = DoubleArray(16).also { e ->
-            e[15] = 1.0
-            e[5 * axis] = 1.0
-            e[5 * p] = c
-            e[5 * q] = c
-            e[4 * p + q] = s
-            e[4 * q + p] = -s
-        }
-        return Transforms.product(Matrix4d().set(elements), first)
-    }
-
-    private fun assertShown(solid: Mesh, camera: Camera, style: EdgeStyle) {
-        val side = 160
-        val image = render(listOf(solid), style, camera, side)
-        val setUp = SetUp(Raster(side, side), camera, emptyList())
-        val lines = FeatureEdges().of(solid)
-        assertEquals(12, lines.segmentCount)
-        val isNearVisible = BooleanArray(side * side)
-        for (edge in 0 until lines.segmentCount) {
-            val ends = (0..1).map { end -> vertex(lines.positions, lines.segments[2 * edge + end]) }
-            if (!isVisible(solid, camera, ends)) continue
-            for (step in 0..400) {
-                val place = Vector3d(ends[0]).lerp(ends[1], step / 400.0)
-                val point = setUp.project(place) ?: continue
-                val x = StrictMath.floor(point.x).toInt()
-                val y = StrictMath.floor(point.y).toInt()
-                assertTrue(image.isBlack(x, y)) { "$place of a visible edge at ($x, $y): $camera, $style" }
-                val reach = (style.width / 2).toInt() + 2
-                for (dy in -reach..reach) for (dx in -reach..reach) isNearVisible[(y + dy) * side + x + dx] = true
-            }
-        }
-        for (i in isNearVisible.indices) {
-            if (!isNearVisible[i]) {
-                assertTrue(!image.isBlack(i % side, i / side)) {
-                    "(${i % side}, ${i / side}): $camera"
-                }
-            }
-        }
-    }
-
-    private fun vertex(p: FloatArray, i: Int) =
-        Vector3d(p[3 * i].toDouble(), p[3 * i + 1].toDouble(), p[3 * i + 2].toDouble())
-
-    /** Whether a triangle of [solid] with both of [ends] shows its front to [camera]. */
-    private fun isVisible(solid: Mesh, camera: Camera, ends: List<Vector3d>): Boolean =
-        (0 until solid.triangleCount).any { triangle ->
-            val (a, b, c) = (0 until 3).map { vertex(solid.positions, solid.triangles[3 * triangle + it]) }
-            val normal = Vector3d(b).sub(a).cross(Vector3d(c).sub(a))
-            val isOrthographic = "Orthographic" in "${camera.projection}"
-            val toEye = Vector3d(camera.eye).sub(if (isOrthographic) camera.target else a)
-            listOf(a, b, c).containsAll(ends) && normal.dot(toEye) > 0
-        }
 
     @Test
     fun rule_10_2_aLineEndsWhereItsMiddleGoesBehindAnOutline() {

@@ -10,7 +10,6 @@ import dev.lazyz.Rgba
 import dev.lazyz.RowSink
 import dev.lazyz.ShadingRate
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.spi.Srgb
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.tiled.TiledRenderer
@@ -97,17 +96,6 @@ class SuperSamplingTest {
             val most = Srgb.decode((code + 0.5) / 255.0)
             assertTrue(light in least - 1e-6..most + 1e-6) { "light $light is not code $code" }
         }
-    }
-
-    @Test
-    fun rule_6_12_blackAndWhiteGiveHalfTheLight() {
-        // Half of the light has the code 188, not 128
-        val pixel = filtered(image(2, { if (it % 2 == 0) -1 else 0xFF000000.toInt() }), 2).argb[0]
-        assertEquals(0xFFBCBCBC.toInt(), pixel)
-
-        // Transparent samples change the alpha, and not the colour
-        val edge = filtered(image(2, { if (it % 2 == 0) 0xFF204060.toInt() else 0x00FF00FF }), 2).argb[0]
-        assertEquals(0x80204060.toInt(), edge)
     }
 
     @Test

@@ -2,17 +2,13 @@ package dev.lazyz.raster
 
 import dev.lazyz.Depth
 import dev.lazyz.DepthTest
-import dev.lazyz.Image
 import dev.lazyz.Raster
-import dev.lazyz.Raster.DepthConvention
-import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
 import dev.lazyz.behindAll
 import dev.lazyz.samples
 import dev.lazyz.spi.Fragment
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.scene
 import java.util.Random
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
@@ -93,36 +89,4 @@ class VisibilityProperties {
     }
 
     private fun <T> List<T>.random(random: Random): T = this[random.nextInt(size)]
-
-    @Property(seed = "1995", tries = 30, edgeCases = EdgeCasesMode.NONE)
-    fun rule_4_1_bothConventionsShowTheSame(@ForAll random: Random) {
-        val scene = SampleScenes.mixed(random)
-        val usual = ZBufferRenderer().render(scene.frame(Raster(24, 20)))
-        val mirrored =
-            ZBufferRenderer().render(scene.frame(Raster(24, 20, convention = DepthConvention.LARGER_IS_NEARER)))
-        assertEquals(usual.argb.toList(), mirrored.argb.toList())
-        assertEquals(usual.primitive.toList(), mirrored.primitive.toList())
-        for (i in usual.depth.indices) assertEquals(0, (Int.MAX_VALUE - mirrored.depth[i] - usual.depth[i]) / 2)
-    }
-
-    @Property(seed = "1995", tries = 60, edgeCases = EdgeCasesMode.NONE)
-    fun rule_5_1_mergedPartsEqualTheWholePicture(@ForAll random: Random, @ForAll("tests") test: DepthTest) {
-        val raster = Raster(16, 12, depthTest = test, backgroundDepth = test.behindAll)
-        val frame = SampleScenes.drawn(random, raster, 9)
-        val whole = ZBufferRenderer().render(frame)
-
-        // Split by primitives, into three parts
-        val part = IntArray(9) { random.nextInt(3) }
-        val parts = List(3) { p -> ZBufferRenderer().render(frame.keeping { part[it] == p }) }
-        val (a, b, c) = parts.shuffled(random)
-        assertEquals(whole, Image.merge(Image.merge(a, b, raster), c, raster))
-        assertEquals(whole, Image.merge(a, Image.merge(c, b, raster), raster))
-        assertEquals(whole, Image.merge(whole, a, raster))
-
-        // Split by regions, into two parts
-        val column = 1 + random.nextInt(15)
-        val left = ZBufferRenderer().render(frame.within(Region(0, 0, column, 12)))
-        val right = ZBufferRenderer().render(frame.within(Region(column, 0, 16, 12)))
-        assertEquals(whole, Image.merge(right, left, raster))
-    }
 }

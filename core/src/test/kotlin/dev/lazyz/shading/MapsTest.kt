@@ -8,7 +8,6 @@ import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
 import dev.lazyz.world.ToneMapping
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap
@@ -130,19 +129,6 @@ class MapsTest {
     }
 
     @Test
-    fun rule_6_9_metallicIsBlueAndRoughnessIsGreen() {
-        val light = sun(0.3, 0.2, 1.0)
-        val color = Rgba(1f, 0.5f, 0.25f)
-        val map = TextureMap(row(0xFF3366, 0x00CC99))
-        val mapped = Material(color).withMetallicRoughness(MetallicRoughness(0.5f, 0.75f, map))
-        for ((x, green, blue) in listOf(Triple(0, 0x33, 0x66), Triple(3, 0xCC, 0x99))) {
-            val model = MetallicRoughness(0.5f * (blue / 255f), 0.75f * (green / 255f))
-            val plain = Material(color).withMetallicRoughness(model)
-            assertEquals(seen(square(plain), x, 1, light), seen(square(mapped), x, 1, light))
-        }
-    }
-
-    @Test
     fun rule_6_9_occlusionDarkensIndirectLightOnly() {
         val map = OcclusionMap(TextureMap(row(0x660000)), 0.5f)
         val factor = 1f + 0.5f * (0x66 / 255f - 1f)
@@ -155,33 +141,5 @@ class MapsTest {
             val sun = sun(0.0, 0.0, 1.0)
             assertEquals(seen(square(plain), 1, 1, sun), seen(square(occluded), 1, 1, sun))
         }
-    }
-
-    @Test
-    fun rule_6_9_emissionIsMultipliedByItsMap() {
-        val map = TextureMap(row(0xFF0033, 0x00FF66))
-        val glow = Material(Rgba.BLACK, emission = Rgba(1f, 0.5f, 4f)).withEmissionMap(map)
-        val looks = Shading.entries.map { glow.withShading(it) } + glow.withMetallicRoughness(MetallicRoughness(1f, 1f))
-        for (look in looks) {
-            assertEquals(Rgba(1f, 0f, 4f * (0x33 / 255f)), seen(square(look), 0, 1, sun(0.0, 0.0, -1.0)), "$look")
-            assertEquals(Rgba(0f, 0.5f, 4f * (0x66 / 255f)), seen(square(look), 3, 1, sun(0.0, 0.0, -1.0)), "$look")
-        }
-    }
-
-    @Test
-    fun rule_6_9_eachMapHasItsCoordinatesAndItsTransform() {
-        val plain = Material(shading = Shading.CONSTANT)
-        val map = row(0xFF0000, 0x00FF00, 0x0000FF, 0xFFFFFF)
-        fun colors(set: Int, transform: UvTransform, places: List<Pair<Int, Int>>) = places.map { (x, y) ->
-            seen(square(plain.withTextureMap(TextureMap(map, set, transform))), x, y, sun(0.0, 0.0, 1.0))
-        }
-        val (red, green, blue, white) = listOf(Rgba(1f, 0f, 0f), Rgba(0f, 1f, 0f), Rgba(0f, 0f, 1f), Rgba.WHITE)
-        val across = listOf(0 to 1, 1 to 2, 2 to 0, 3 to 1)
-        val down = across.map { (x, y) -> y to x }
-        assertEquals(listOf(red, green, blue, white), colors(0, UvTransform.IDENTITY, across))
-        assertEquals(listOf(red, green, blue, white), colors(1, UvTransform.IDENTITY, down))
-        assertEquals(listOf(green, white, green, white), colors(0, UvTransform(2.0, 1.0), across))
-        assertEquals(listOf(green, blue, white, red), colors(0, UvTransform(offsetU = 0.25), across))
-        assertEquals(listOf(red, green, blue, white), colors(0, UvTransform(rotation = 90.0), down))
     }
 }

@@ -61,14 +61,6 @@ class WorkedExamplesTest {
     }
 
     @Test
-    fun trianglesWithACommonEdgeDrawEachSampleOnce() {
-        val grid = WorkedExamples.grid
-        for (renderer in Renderers.builtIn) {
-            assertEquals(16, renderer.render(grid.frame()).counters.fragments, renderer.id)
-        }
-    }
-
-    @Test
     fun thePageShowsTheseArrays() {
         val shown = page.readText()
         var from = 0

@@ -1,6 +1,5 @@
 package dev.lazyz.strategies.zbuffer
 
-import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
@@ -21,15 +20,6 @@ class ZBufferRendererTest {
         val random = Random(11)
         return List(15) { SampleScenes.mixed(random).frame(24, 18) } +
             List(15) { SampleScenes.drawn(random, Raster(20, 20), 12) }
-    }
-
-    @Test
-    fun itSaysWhatItIs() {
-        val renderer = ZBufferRenderer()
-        assertEquals("zbuffer", renderer.id)
-        assertEquals("ZBufferRenderer()", renderer.toString())
-        assertEquals(setOf(Capability.STREAMS_PRIMITIVES), renderer.capabilities)
-        assertTrue("one primitive at a time" in renderer.summary)
     }
 
     @Test

@@ -1,7 +1,6 @@
 package dev.lazyz.world.material
 
 import dev.lazyz.Primitive
-import dev.lazyz.Rgba
 import dev.lazyz.spi.Fragment
 import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
@@ -52,48 +51,6 @@ class MipFilterTest {
                 assertArrayEquals(plain(texture, u, v), read(texture, u, v, List(4) { Double.NaN }))
             }
         }
-    }
-
-    /** The mean of the ellipse, by brute force, beside what the filter returns, for a texture of noise. */
-    @Test
-    fun rule_6_6_theResultIsNearTheMeanOfTheFootprint() {
-        val random = Random(5)
-        val noise = texture(256, 256) { _, _ -> Rgba(random.nextFloat(), 0f, 0f).toArgb() }
-        val errors = MipFilter.entries.associateWith { filter ->
-            var sum = 0.0
-            val places = Random(7)
-            repeat(200) {
-                val (u, v) = List(2) { places.nextDouble() }
-                val long = (1.0 + places.nextDouble() * 15) / 256
-                val short = (1.0 + places.nextDouble()) / 256
-                val angle = places.nextDouble() * 7
-                val footprint = listOf(
-                    long * Math.cos(angle), long * Math.sin(angle), -short * Math.sin(angle), short * Math.cos(angle),
-                )
-                val error = read(noise.withMipFilter(filter), u, v, footprint)[0] - mean(noise, u, v, footprint)
-                sum += error * error
-            }
-            Math.sqrt(sum / 200)
-        }
-        val text = "$errors"
-        assertTrue(errors.getValue(MipFilter.ANISOTROPIC) < 0.4 * errors.getValue(MipFilter.TRILINEAR)) { text }
-        assertTrue(errors.getValue(MipFilter.ANISOTROPIC) < 0.2 * errors.getValue(MipFilter.NONE)) { text }
-        assertTrue(errors.getValue(MipFilter.TRILINEAR) < 0.6 * errors.getValue(MipFilter.NONE)) { text }
-    }
-
-    private fun mean(texture: Texture, u: Double, v: Double, footprint: List<Double>): Double {
-        var sum = 0.0
-        var count = 0
-        for (i in -16..16) {
-            for (j in -16..16) {
-                val (a, b) = listOf(i / 32.0, j / 32.0)
-                if (a * a + b * b > 0.25) continue
-                sum +=
-                    plain(texture, u + a * footprint[0] + b * footprint[2], v + a * footprint[1] + b * footprint[3])[0]
-                count++
-            }
-        }
-        return sum / count
     }
 
     @Test

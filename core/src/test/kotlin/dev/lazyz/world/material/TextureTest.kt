@@ -1,7 +1,6 @@
 package dev.lazyz.world.material
 
 import dev.lazyz.Rgba
-import java.util.Random
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -17,68 +16,6 @@ class TextureTest {
     private fun read(texture: Texture, u: Float, v: Float): FloatArray = FloatArray(4).also { texture.sample(u, v, it) }
 
     private fun linear(texture: Texture, x: Int, y: Int): Rgba = Rgba.ofArgb(texture.texel(x, y))
-
-    @Test
-    fun rule_6_6_nearestIsTheTexelAroundInAllCopies() {
-        for (wrap in Texture.Wrap.entries) {
-            val texture = Texture(4, 2, numbered(4, 2), Texture.Filter.NEAREST, wrap, wrap)
-            for (i in -12..12) {
-                for (j in -6..6) {
-                    val texel = linear(texture, index(i, 4, wrap), index(j, 2, wrap))
-                    val expected = floatArrayOf(texel.red, texel.green, texel.blue, texel.alpha)
-                    for (inside in listOf(0f, 0.01f, 0.5f, 0.99f)) {
-                        assertArrayEquals(expected, read(texture, (i + inside) / 4, (j + inside) / 2)) { "$i $j $wrap" }
-                    }
-                }
-            }
-        }
-    }
-
-    @Test
-    fun rule_6_6_bilinearMixesFourTexelsInLinearLight() {
-        val random = Random(3)
-        for ((wrap, width, height) in listOf(
-            Triple(Texture.Wrap.REPEAT, 5, 3), Triple(Texture.Wrap.CLAMP, 5, 3),
-            Triple(Texture.Wrap.REPEAT, 1, 1), Triple(Texture.Wrap.CLAMP, 1, 2),
-            Triple(Texture.Wrap.MIRROR, 5, 3), Triple(Texture.Wrap.MIRROR, 1, 2),
-        )) {
-            val texels = IntArray(width * height) { random.nextInt() }
-            val texture = Texture(width, height, texels, wrapU = wrap, wrapV = wrap)
-            repeat(500) {
-                val u = random.nextFloat() * 4 - 2
-                val v = random.nextFloat() * 4 - 2
-                assertArrayEquals(plain(texture, wrap, u, v), read(texture, u, v), 1e-6f) { "$u, $v of $texture" }
-            }
-        }
-    }
-
-    /** The sum of all texels of all copies around the point, with tent weights, in double precision. */
-    private fun plain(texture: Texture, wrap: Texture.Wrap, u: Float, v: Float): FloatArray {
-        val x = if (wrap == Texture.Wrap.CLAMP) u.coerceIn(0f, 1f) else u
-        val y = if (wrap == Texture.Wrap.CLAMP) v.coerceIn(0f, 1f) else v
-        val sums = DoubleArray(4)
-        for (j in -3 * texture.height..3 * texture.height) {
-            for (i in -3 * texture.width..3 * texture.width) {
-                val column = tent(x.toDouble() * texture.width - i - 0.5)
-                val weight = column * tent(y.toDouble() * texture.height - j - 0.5)
-                if (weight == 0.0) continue
-                val texel = linear(texture, index(i, texture.width, wrap), index(j, texture.height, wrap))
-                sums[0] += weight * texel.red
-                sums[1] += weight * texel.green
-                sums[2] += weight * texel.blue
-                sums[3] += weight * texel.alpha
-            }
-        }
-        return FloatArray(4) { sums[it].toFloat() }
-    }
-
-    private fun index(i: Int, size: Int, wrap: Texture.Wrap): Int = when (wrap) {
-        Texture.Wrap.REPEAT -> Math.floorMod(i, size)
-        Texture.Wrap.CLAMP -> i.coerceIn(0, size - 1)
-        Texture.Wrap.MIRROR -> Math.floorMod(i, 2 * size).let { if (it < size) it else 2 * size - 1 - it }
-    }
-
-    private fun tent(distance: Double): Double = maxOf(0.0, 1 - Math.abs(distance))
 
     @Test
     fun rule_6_6_noCoordinateIsTooStrange() {

@@ -1,25 +1,17 @@
 package dev.lazyz.world.surface
 
 import dev.lazyz.Depth
-import dev.lazyz.Fraction
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
 import dev.lazyz.SampleSet
 import dev.lazyz.samples
-import dev.lazyz.samplesByCursor
-import dev.lazyz.shared.NotByDefault
 import dev.lazyz.spi.Fragment
 import dev.lazyz.world.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
-import java.util.Random
-import net.jqwik.api.EdgeCasesMode
-import net.jqwik.api.ForAll
-import net.jqwik.api.Property
-import net.jqwik.api.lifecycle.AddLifecycleHook
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -40,91 +32,6 @@ class LinesTest {
     ): Primitive {
         val positions = listOf(from, to).flatMap { listOf(it.x.toFloat(), it.y.toFloat(), it.z.toFloat()) }
         return setUp.lines(Lines(positions.toFloatArray(), intArrayOf(0, 1), width, material)).single()
-    }
-
-    /** A segment on the 1/256 pixel grid, and its coverage by rule 2.10 in integers and fractions. */
-    private class Grid(val x0: Long, val y0: Long, val x1: Long, val y1: Long, width: Double) {
-        private val half = maxOf(StrictMath.floor(128 * width + 0.5).toLong(), 128L)
-        private val square = (x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0)
-        private val ux = if (square == 0L) half else share(x1 - x0)
-        private val uy = if (square == 0L) 0L else share(y1 - y0)
-
-        private fun share(run: Long): Long {
-            val size = StrictMath.ceil((half * Math.abs(run)).toDouble() / StrictMath.sqrt(square.toDouble())).toLong()
-            return if (run < 0) -size else size
-        }
-
-        private val corners = listOf(
-            Pair(x0 - ux - uy, y0 - uy + ux), Pair(x1 + ux - uy, y1 + uy + ux),
-            Pair(x1 + ux + uy, y1 + uy - ux), Pair(x0 - ux + uy, y0 - uy - ux),
-        )
-
-        /** Whether the quad or the ends cover the sample: by the windings at or left of it. */
-        private fun has(column: Int, row: Int): Boolean {
-            val x = 256L * column + 128
-            val y = 256L * row + 128
-            for (end in listOf(Pair(x0, y0), Pair(x1, y1))) {
-                if (x - end.first in -128..127 && y - end.second in -128..127) return true
-            }
-            var windings = 0
-            for (i in 0 until 4) {
-                val a = corners[i]
-                val b = corners[(i + 1) % 4]
-                val (upper, lower) = if (a.second < b.second) Pair(a, b) else Pair(b, a)
-                if (y < upper.second || y >= lower.second) continue
-                val left = (x - upper.first) * (lower.second - upper.second)
-                val right = (y - upper.second) * (lower.first - upper.first)
-                if (left >= right) windings += if (a === upper) 1 else -1
-            }
-            return windings != 0
-        }
-
-        fun samples(raster: Raster): SampleSet {
-            // One span a row, from its first to its last sample, clipped to the raster
-            val margin = 16
-            return SampleSet.where(raster.width, raster.height) { x, y ->
-                (-margin..x).any { has(it, y) } && (x..raster.width + margin).any { has(it, y) }
-            }
-        }
-
-        fun along(column: Int, row: Int): Fraction {
-            val product = (x1 - x0) * (256L * column + 128 - x0) + (y1 - y0) * (256L * row + 128 - y0)
-            return when {
-                product <= 0 -> Fraction.ZERO
-                product >= square -> Fraction(1)
-                else -> Fraction(product) / Fraction(square)
-            }
-        }
-    }
-
-    @Property(seed = "1995", tries = 300, edgeCases = EdgeCasesMode.NONE)
-    @AddLifecycleHook(NotByDefault::class)
-    fun rule_2_10_aLineIsAQuadAndItsEnds(@ForAll random: Random) {
-        val reach = listOf(2, 40, 300, 3000, 6000)[random.nextInt(5)]
-        val x0 = random.nextInt(26 * 256) - 256
-        val y0 = random.nextInt(20 * 256) - 256
-        val x1 = x0 + random.nextInt(2 * reach) - reach
-        val y1 = y0 + random.nextInt(2 * reach) - reach
-        val width = listOf(0.01, 1.0, 1.0, 1.3, 2.0, 3.7, 9.0)[random.nextInt(7)]
-        val depths = List(2) { random.nextInt(17) / 16.0 }
-        val primitive = line(
-            Vector3d(x0 / 256.0, y0 / 256.0, depths[0]), Vector3d(x1 / 256.0, y1 / 256.0, depths[1]), width,
-        )
-        val grid = Grid(x0.toLong(), y0.toLong(), x1.toLong(), y1.toLong(), width)
-        val expected = grid.samples(raster)
-        assertEquals(expected, primitive.samples(raster))
-        assertEquals(expected, primitive.samplesByCursor(raster, 0))
-        val (z0, z1) = depths.map { Depth.ofUnit(it).toLong() }
-        for (y in 0 until raster.height) {
-            for (x in 0 until raster.width) {
-                if (!expected[x, y]) continue
-                val exact = Fraction(z0) + grid.along(x, y) * Fraction(z1 - z0)
-                val depth = primitive.depth(x, y)
-                assertTrue((exact - Fraction(depth.toLong())).abs() <= Fraction(1)) { "$x, $y: $depth, not $exact" }
-                assertTrue(depth in primitive.leastDepth..primitive.greatestDepth)
-                primitive.depthForm?.let { assertEquals(depth, (it.at(x, y) shr 32).toInt()) }
-            }
-        }
     }
 
     @Test
