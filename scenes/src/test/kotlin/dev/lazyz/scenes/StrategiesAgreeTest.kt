@@ -3,7 +3,6 @@ package dev.lazyz.scenes
 import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Rgba
-import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.meshes.AwkwardMesh
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.world.Environment
@@ -31,7 +30,7 @@ import org.junit.jupiter.api.DynamicTest
 import org.junit.jupiter.api.DynamicTest.dynamicTest
 import org.junit.jupiter.api.TestFactory
 
-/** Contract rule 7.1: all renderers give the same bits of every built-in scene, of an awkward mesh, of real ones. */
+/** Contract rule 7.1: all renderers give the same bits of every built-in scene and of an awkward mesh. */
 class StrategiesAgreeTest {
     @TestFactory
     fun rule_7_1_onEveryBuiltinScene(): List<DynamicTest> = Scenes.builtins.map { builtin ->
@@ -95,18 +94,6 @@ class StrategiesAgreeTest {
             .withTangents(1, checkNotNull(material.normalMap).map.transform)
     }
 
-    /** By default one of the models, with the effort `rest` the others. */
-    @TestFactory
-    fun rule_7_1_onRealMeshes(): List<DynamicTest> = MODELS.filterIndexed { i, _ ->
-        when (System.getProperty("lazyz.effort")) {
-            null -> i == 1
-            "rest" -> i != 1
-            else -> true
-        }
-    }.map { name ->
-        dynamicTest(name) { assertAgree(Scenes.load(TestSources.modelPath(name)).scene) }
-    }
-
     private fun assertAgree(scene: Scene) {
         val frame = scene.frame(67, 131)
         assertAgree(frame.asOpaque(), Renderers.builtIn.map { it.id })
@@ -127,10 +114,6 @@ class StrategiesAgreeTest {
             Light.Directional(Vector3d(-1.0, -2.0, -4.0), Rgba(0.6f, 0.5f, 0.4f)),
             Light.Point(Vector3d(1.5, 1.0, 2.5), Rgba(3f, 5f, 4f), Falloff.inverseSquare(6.0)),
             Light.Spot(Vector3d(-2.0, 2.0, 1.0), Vector3d(2.0, -2.0, -1.0), Rgba(2f, 2f, 1f), 10.0, 30.0),
-        )
-        val MODELS = listOf(
-            "2CylinderEngine.glb", "BoxTextured.glb", "bunny.obj", "cow.obj", "igea.ply", "spider-ascii.stl",
-            "spider-binary.stl", "spider.obj", "spot.obj", "teapot.obj",
         )
     }
 }

@@ -89,14 +89,4 @@ class GltfOmissionsTest {
         val rest = ""","images":[{"bufferView":2}],"extensionsRequired":["EXT_texture_webp"]"""
         assertEquals(emptyList<String>(), warnings(""","materials":[${textured(0)},{}],"textures":[$webP]$rest"""))
     }
-
-    @Test
-    fun imagesAreCalledByTheirNames() {
-        val material = """{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}"""
-        val rest = ""","materials":[$material,{}],"textures":[{"source":0}],"""
-        assertEquals(
-            listOf("images[0] (oak) cannot be decoded and is left out; save it as PNG, JPEG or WebP"),
-            warnings("""$rest"images":[{"bufferView":0,"name":"oak"}]"""),
-        )
-    }
 }

@@ -3,7 +3,6 @@ package dev.lazyz.scenes.images
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.images.PngFile.bytes
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
@@ -11,15 +10,12 @@ import dev.lazyz.scenes.loading.TestSources
 import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
-import java.nio.file.Files
-import java.nio.file.Path
 import java.util.zip.DeflaterOutputStream
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.io.TempDir
 
 class Ktx2ImageTest {
     private val texels = bytes(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12)
@@ -107,13 +103,6 @@ class Ktx2ImageTest {
             val warning = TextureFiles.notDecoded(file)
             assertTrue(text in warning, warning)
         }
-    }
-
-    @Test
-    fun errorsNameTheFormatToo(@TempDir folder: Path) {
-        val file = Files.write(folder.resolve("a.ktx2"), ktx2(0, 4, 4, texels, 1))
-        val error = assertThrows(SceneFormatException::class.java) { Scenes.texture(file) }
-        assertTrue("cannot be decoded: it is KTX2 with Basis" in checkNotNull(error.message), error.message)
     }
 
     @Test

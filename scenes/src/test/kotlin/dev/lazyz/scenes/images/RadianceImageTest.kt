@@ -108,13 +108,6 @@ class RadianceImageTest {
         assertEquals(List(4) { color }, seen(Scenes.environment(file(out.toByteArray()))))
     }
 
-    /** Large pictures are reduced while they are read. */
-    @Test
-    fun largePicturesAreReduced() {
-        val map = Scenes.environment(file(4096, 32, ::newRuns))
-        assertEquals(listOf(2048, 16), listOf(map.width, map.height))
-    }
-
     @Test
     fun theSameContentIsComputedOnce() {
         val first = file(40, 20, ::newRuns)

@@ -3,31 +3,14 @@ package dev.lazyz.scenes.loading
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.Mesh
-import java.nio.file.Files
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertThrows
-import org.junit.jupiter.api.Assumptions.assumeTrue
 
 /** What the loaders' tests share: sources out of text, bytes and files. */
 internal object TestSources {
     fun of(text: String, folder: Path? = null) = Source(text.toByteArray(), "test", folder)
 
     fun of(bytes: ByteArray, folder: Path? = null) = Source(bytes, "test", folder)
-
-    /** Opens one of the real meshes that stand beside the project, or skips the test. */
-    fun model(name: String): Source {
-        val path = modelPath(name)
-        return Source(Files.readAllBytes(path), name, path.parent)
-    }
-
-    /** Finds one of the real meshes that stand beside the project, or skips the test. */
-    fun modelPath(name: String): Path {
-        val folder = generateSequence(Path.of(System.getProperty("user.dir")).toAbsolutePath()) { it.parent }
-            .map { it.resolve("shared/models") }
-            .firstOrNull { Files.isDirectory(it) }
-        assumeTrue(folder != null && Files.exists(folder.resolve(name)), "no file $name")
-        return folder!!.resolve(name)
-    }
 
     fun error(parser: SceneParser, source: Source): SceneFormatException =
         assertThrows(SceneFormatException::class.java) { parser.parse(source) }

@@ -248,35 +248,6 @@ class MtlTest {
     }
 
     @Test
-    fun filtersAndMapsOfLobesGiveOneWarning() {
-        val text =
-            "newmtl a\nPcr 0.03\nPc 0.5\nPs 0.2\naniso 0.7\nanisor 0.1\nTf 0.5 1 1\nmap_Pc a.png\nmap_Tf b.png\n" +
-                "newmtl b\nmap_aniso c.png\nanisor 0.5\nmap_Ps d.png\nPc 1\n"
-        Files.writeString(folder.resolve("m.mtl"), text)
-        val source = TestSources.of("mtllib m.mtl\n$triangle", folder)
-        ObjParser.parse(source)
-        val warning = source.warnings.single()
-        assertTrue("anisor" !in warning, warning)
-        for (kind in listOf("1 tf", "1 map_pc", "1 map_aniso")) {
-            assertTrue(Regex(" $kind(,| and|$)").containsMatchIn(warning), "$kind: $warning")
-        }
-    }
-
-    @Test
-    fun librariesAreFoundInOtherFoldersAndWithSpaces() {
-        val statements = mapOf(
-            "lib/m.mtl" to "lib\\m.mtl",
-            "my lib.mtl" to "my lib.mtl",
-            "lib/N.MTL" to "./lib/n.mtl",
-            "x.mtl" to "none.mtl x.mtl",
-        )
-        for ((place, statement) in statements) {
-            val warnings = if (statement.startsWith("none")) 1 else 0
-            assertEquals("FFFF0000", code(mesh("Kd 1 0 0", place, statement, warnings).material.baseColor), place)
-        }
-    }
-
-    @Test
     fun missingLibraryAndMaterialGiveWarnings() {
         val source = TestSources.of("mtllib none.mtl\n" + triangle + "f 1 2 3\n", folder)
         val mesh = ObjParser.parse(source).meshes.first()

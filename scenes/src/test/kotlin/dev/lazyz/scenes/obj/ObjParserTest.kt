@@ -10,7 +10,6 @@ import dev.lazyz.scenes.meshes.AwkwardMesh
 import dev.lazyz.world.surface.Mesh
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -193,30 +192,5 @@ class ObjParserTest {
             AwkwardMesh.corners(AwkwardMesh.uvs, 2).map { (u, v) -> listOf(u, 1 - v) },
             corners.map { mesh.uvs!!.slice(2 * it until 2 * it + 2) },
         )
-    }
-
-    @Test
-    fun realFilesAreWhole() {
-        val counts = mapOf("bunny" to 69_451, "cow" to 5_804, "teapot" to 6_320, "spot" to 5_856)
-        for ((name, count) in counts) {
-            val mesh = ObjParser.parse(TestSources.model("$name.obj")).meshes.single()
-            assertEquals(count, mesh.triangleCount, name)
-            assertNotNull(mesh.normals, name)
-            assertEquals(name == "spot", mesh.uvs != null, name)
-        }
-        val teapot = ObjParser.parse(TestSources.model("teapot.obj")).bounds!!
-        assertEquals(listOf(-3.0, 0.0, -2.0, 2.0), listOf(teapot.minX, teapot.minY, teapot.minZ, teapot.maxZ))
-        assertEquals(3.15, teapot.maxY, 1e-6)
-    }
-
-    @Test
-    fun realFileWithMaterialsHasItsTextures() {
-        val source = TestSources.model("spider.obj")
-        val meshes = ObjParser.parse(source).meshes
-        assertEquals(emptyList<String>(), source.warnings)
-        assertEquals(1368, meshes.sumOf { it.triangleCount })
-        assertEquals(setOf("HLeibTex", "Skin", "BeinTex", "Augentex"), meshes.map { it.material.name }.toSet())
-        assertTrue(meshes.all { it.material.texture != null && it.uvs != null && it.normals != null })
-        assertEquals("SpiderTex.jpg", meshes.first { it.material.name == "HLeibTex" }.material.texture!!.name)
     }
 }

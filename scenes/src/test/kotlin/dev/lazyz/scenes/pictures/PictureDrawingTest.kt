@@ -5,7 +5,6 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.filter.VerticalGradient
-import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LengthUnit
 import dev.lazyz.scenes.LoadedScene
@@ -97,31 +96,18 @@ class PictureDrawingTest {
         assertEquals(expected, path.readText())
     }
 
-    /** Every pixel has a colour that the drawing has at most half a pixel from its middle. */
     @Test
-    fun rule_10_2_theFileAgreesWithThePictureToHalfAPixel() {
-        val lines = technical.with(PictureParameters.SIZE, ImageSize(480, 360)).with(PictureParameters.AA, 1)
-            .with(PictureParameters.EDGE_WIDTH, 2.0).with(PictureParameters.HIDDEN_LINES, HiddenLines.SOLID)
-            .with(PictureParameters.VIEW, View.ISO)
-        val cuts = listOf("z=0", "x=0.1").map { checkNotNull(CutPlane.parse(it)) }
-        val all = listOf(
-            lines to flange,
-            lines.with(PictureParameters.CUT, cuts).with(PictureParameters.UP, UpAxis.Z)
-                .with(PictureParameters.CAP_COLOR, Rgba.ofRgb(0xFF0000)) to flange,
-            lines.with(PictureParameters.CUT, cuts.take(1)).with(PictureParameters.ZOOM, 3.0)
-                .with(PictureParameters.PROJECTION, Fit.PERSPECTIVE) to flange,
-            lines to LoadedScene(Scenes.teapot(), emptyList()),
-        )
-        for ((settings, loaded) in all) {
-            val picture = settings.frame(loaded).render(TiledRenderer())
-            val drawing = HalfPixels(svg(settings, loaded), picture.width, picture.height)
-            assertTrue(picture.argb.count { it == Rgba.BLACK.toArgb() } > 1000)
-            for (i in picture.argb.indices) {
-                val x = i % picture.width
-                val y = i / picture.width
-                assertTrue(picture.argb[i] and 0xFFFFFF in drawing.around(x, y)) { "($x, $y) of $settings" }
-            }
-        }
+    fun aCutHasItsCapBelowItsLines() {
+        val cut = technical.with(PictureParameters.VIEW, View.FRONT)
+            .with(PictureParameters.CUT, listOf(checkNotNull(CutPlane.parse("z=0.5"))))
+        val (cap, hatch, rest) = svg(cut).substringAfter("<path class=\"cap\" d=\"\n")
+            .split(Regex("<path class=\"(hatch|section)\" d=\"\n"))
+        assertEquals("M80 96l-72 -36 0 36z\"/>\n", cap)
+        val stripes = hatch.lines()
+        assertEquals(listOf("M8 95.28l0 .72 .72 0z", "M8 91.68l0 .72 3.6 3.6 .72 0z"), stripes.take(2))
+        assertEquals("M74.24 93.12l-1.44 -.72 3.6 3.6 .72 0z\"/>" to 21, stripes[19] to stripes.size)
+        val edges = "M8 96h0\nM8 96l72 0\nM80 96l72 0 -144 -72 0 36\"/>\n</svg>\n"
+        assertEquals("M80 96l-72 0 0 -36z\"/>\n<path class=\"crease\" d=\"\n$edges", rest)
     }
 
     @Test

@@ -93,12 +93,4 @@ class PictureTest {
         val whole = Image(2, 1, IntArray(2), IntArray(2), IntArray(2), Counters.NONE).toPng()
         assertEquals("a: $words", message { Picture.decode(whole.copyOf(whole.size / 2), "a") })
     }
-
-    @Test
-    fun pixelsOutsideAreRefused() {
-        val picture = Picture.ofArgb(2, 1, intArrayOf(1, 2))
-        assertThrows(IllegalArgumentException::class.java) { picture.argb(2, 0) }
-        assertThrows(IllegalArgumentException::class.java) { picture.color(0, 1) }
-        assertThrows(IllegalArgumentException::class.java) { Picture.ofArgb(2, 2, intArrayOf(1, 2)) }
-    }
 }

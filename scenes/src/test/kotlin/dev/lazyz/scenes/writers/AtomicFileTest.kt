@@ -72,20 +72,6 @@ class AtomicFileTest {
     }
 
     @Test
-    fun messagesSayWhichFileWhyAndWhatToDo() {
-        val missing = folder.resolve("nowhere/a.png")
-        val noFolder = assertThrows(IOException::class.java) { failingRender(missing) }
-        assertEquals(
-            "cannot write $missing: there is no folder ${missing.parent}; create it or choose another",
-            noFolder.message,
-        )
-        val isFolder = assertThrows(IOException::class.java) {
-            ImageFiles.write(folder, 1, 1, ImageFormat.PNG) { it.row(0, row, row, row) }
-        }
-        assertEquals("cannot write $folder: it is a folder; name a file in it", isFolder.message)
-    }
-
-    @Test
     fun aFolderWithoutPermissionIsAnIoException() {
         val locked = Files.createDirectory(folder.resolve("locked"))
         assumeTrue(locked.toFile().setWritable(false) && !Files.isWritable(locked), "all is permitted to this user")
