@@ -8,8 +8,6 @@ import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.run.RunUnderWay
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import java.io.ByteArrayOutputStream
-import java.io.PrintStream
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotEquals
@@ -90,26 +88,5 @@ class ConformanceTest {
         assertEquals(RuleOutcome.FAILED, result.outcome)
         assertTrue("one at a time" in result.message, result.message)
         assertTrue(of(PlainRenderer()).run().isConformant)
-    }
-
-    @Test
-    fun nothingIsPrinted() {
-        val printed = ByteArrayOutputStream()
-        val (out, err) = System.out to System.err
-        PrintStream(printed, true).use {
-            System.setOut(it)
-            System.setErr(it)
-            try {
-                of(WrongColors()).run()
-            } finally {
-                System.setOut(out)
-                System.setErr(err)
-            }
-        }
-        assertEquals("", printed.toString())
-    }
-
-    private companion object {
-        val OPTIONS = setOf(RegexOption.MULTILINE)
     }
 }

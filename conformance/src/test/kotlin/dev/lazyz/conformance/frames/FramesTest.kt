@@ -1,7 +1,6 @@
 package dev.lazyz.conformance.frames
 
 import dev.lazyz.DepthTest
-import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Rgba
@@ -79,45 +78,12 @@ class FramesTest {
     }
 
     @Example
-    fun worldFramesAreOfManyKinds() {
-        val cases = some(Frames.world(), 300)
-        val frames = cases.map { it.frame }
-        assertOften(0.5, frames) { visible(it) > 0 }
-        assertOften(0.2, frames) { visible(it) > 20 }
-        assertOften(0.2, frames) { frame -> frame.primitives.any { it.rowStart >= it.rowEnd } }
-        assertOften(0.2, frames) { frame -> frame.primitives.any { it.depthForm == null && it.rowStart < it.rowEnd } }
-        assertOften(0.1, frames) { PictureTrait.INTERPENETRATING in PictureTrait.of(it) }
-        val words = listOf("Mesh(", "Sphere(", "Polygon(", "Texture(", "Ambient(", "Point(", "MASK", "FRONT") +
-            listOf("perspective", "orthographic", "normals", "uvs", "colors", "specular", "emission")
-        for (word in words) {
-            assertTrue(cases.count { word in it.code } > cases.size / 10) { word }
-        }
-        val seldom =
-            listOf("Points(", "Lines(", "Spot(", "Falloff.inverse", "withEnvironment", "ToneMapping.Curve.ACES") +
-                listOf("withLightIntensity", "withAmbientVisibility", "Skies.map") +
-                listOf("uvs2", "tangents", "MipFilter.TRILINEAR", "MipFilter.ANISOTROPIC", "Texture.Encoding.LINEAR") +
-                listOf("UvTransform", "MetallicRoughness", "NormalMap", "OcclusionMap", "withEmissionMap")
-        for (word in seldom) {
-            assertTrue(cases.count { word in it.code } > cases.size / 40) { word }
-        }
-        assertTrue(cases.any { "NaN" in it.code })
-        assertTrue(frames.none { frame -> frame.primitives.any { it.isTranslucent } })
-    }
-
-    @Example
     fun sizesAreUpperBounds() {
         val frames = some(Frames.screen(5, 3, 2), 300).map { it.frame }
         assertEquals(5, frames.maxOf { it.width })
         assertEquals(3, frames.maxOf { it.height })
         assertEquals(2, frames.maxOf { it.primitives.size })
     }
-
-    private fun assertOften(part: Double, frames: List<Frame>, property: (Frame) -> Boolean) {
-        val count = frames.count(property)
-        assertTrue(count >= part * frames.size) { "$count of ${frames.size} frames, not $part" }
-    }
-
-    private fun visible(frame: Frame): Int = ReferenceRenderer().render(frame).visible
 
     private companion object {
         val KOTLIN = setOf("Double", "Float", "Long")

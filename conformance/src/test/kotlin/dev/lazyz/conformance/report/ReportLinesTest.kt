@@ -42,47 +42,6 @@ class ReportLinesTest {
 
     private fun result(rule: String) = report.results.single { it.rule.name == rule }
 
-    @Test
-    fun summaryReportsEachWaiver() {
-        val text = report.toText()
-        val waivers = text.substringAfter("\nWaivers\n").substringBefore("\n\n")
-        assertEquals(
-            listOf(background to "waived", rows to "waived but passes", unrun to "not run").joinToString("\n") {
-                "  ${it.first} (${it.second})\n    until 9999-01-01: <none>\n    https://example.org/7"
-            },
-            waivers,
-        )
-    }
-
-    @Test
-    fun summaryReportsWhyAndWhereToLook() {
-        val failure = report.toText().substringAfter("FAILED: ").substringBefore("\n\n")
-        assertTrue("\n  why         ${result(nearest).rule.intent}\n" in failure, failure)
-        assertTrue("\n  look at     ${result(nearest).rule.look}\n" in failure, failure)
-        val line = report.toText().lines().single { it.startsWith("not supported") }
-        assertTrue(line.endsWith(" ms  SHADES_ONLY_VISIBLE is not declared"), line)
-    }
-
-    @Test
-    fun summaryOfAnExpiredWaiverReportsWhatIsBroken() {
-        val waivers = Waivers.parse(waiver(nearest, "2020-02-29"))
-        val expired = Conformance { WrongColors() }.tries(0.05).rule(nearest).waivers(waivers).run()
-        val text = expired.toText()
-        val failure = text.substringAfter("\nWAIVER EXPIRED: ").substringBefore("\n\n")
-        assertTrue("    the waiver expired on 2020-02-29, and the rule fails\n" in failure, failure)
-        assertTrue("is the first of" in failure, failure)
-        val details = checkNotNull(suite(expired).elements("failure").single().textContent)
-        assertTrue("is the first of" in details, details)
-    }
-
-    @Test
-    fun summaryReportsHowManyFramesWereNotLookedAt() {
-        val long = Conformance { PlainRenderer() }.tries(0.001).rule("rule_9_4_indicesAreNotTruncated").run()
-        assertTrue(long.distribution.unexamined > 0, "${long.distribution}")
-        assertTrue("${long.distribution.unexamined}  not looked at\n" in long.toText(), long.toText())
-        assertTrue("not looked at" !in report.toText())
-    }
-
     private fun suite(report: ConformanceReport): Element = DocumentBuilderFactory.newInstance().newDocumentBuilder()
         .parse(ByteArrayInputStream(report.toJUnitXml().toByteArray())).documentElement
 
