@@ -68,13 +68,6 @@ class CommandLineTest {
     }
 
     @Test
-    fun strategiesAreListedALineEach() {
-        val lines = zcli("strategies").done().text.lines().dropLast(1)
-        assertTrue(lines.any { it.startsWith("zbuffer ") }, "$lines")
-        assertEquals(Renderers.all().map { it.id }, lines.map { it.substringBefore(' ') })
-    }
-
-    @Test
     fun strategiesTellWhatTheyAreCapableOf() {
         val lines = zcli("strategies", "--long").done().text.lines().dropLast(1)
         assertEquals(zcli("strategies").text.lines().dropLast(1), lines.filterIndexed { i, _ -> i % 2 == 0 })

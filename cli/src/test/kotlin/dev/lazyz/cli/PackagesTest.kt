@@ -104,26 +104,6 @@ class PackagesTest {
         assertEquals(others.toSortedSet(), shown.toSortedSet())
     }
 
-    @Test
-    fun circlesAreFound() {
-        val house = listOf(
-            Source("a/A.kt", "package dev.lazyz.a\n\nimport dev.lazyz.b.B\n"),
-            Source("b/B.kt", "package dev.lazyz.b\n\nimport dev.lazyz.b.c.C.member\n"),
-            Source("c/C.java", "package dev.lazyz.b.c;\n\nimport static dev.lazyz.d.D.member;\n"),
-            Source("d/D.kt", "package dev.lazyz.d\n\n/** See `dev.lazyz.a.A`. */\nval text = \"dev.lazyz.a.A\"\n"),
-        )
-        assertEquals(listOf<String>(), PackageGraph(house).cycles())
-
-        // An import, a full name or a link in the other direction creates a cycle
-        for (line in listOf("import dev.lazyz.a.A", "val it = dev.lazyz.a.A()", "/** See [dev.lazyz.a.A]. */")) {
-            val back = house + Source("d/Back.kt", "package dev.lazyz.d\n\n$line\n")
-            val cycle = PackageGraph(back).cycles().single()
-            assertTrue(cycle.startsWith("dev.lazyz.a, dev.lazyz.b, dev.lazyz.b.c, dev.lazyz.d\n"), cycle)
-            assertTrue("dev.lazyz.d -> dev.lazyz.a: Back.kt" in cycle, cycle)
-            assertEquals(listOf<String>(), PackageGraph(back).cycles(setOf("d/Back.kt")))
-        }
-    }
-
     private companion object {
         /** The packages of core from bottom to top: each names only those before it, see `docs/architecture.md`. */
         val LEVELS = listOf(

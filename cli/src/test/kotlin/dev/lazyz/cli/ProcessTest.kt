@@ -59,14 +59,6 @@ class ProcessTest {
 
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun pictureInTheCurrentFolder() {
-        assertEquals(0, start("render", "teapot", "--size", "40x30", "--quiet").code(), errors)
-        assertTrue(folder.resolve("teapot.png").exists())
-        assertEquals("", errors)
-    }
-
-    @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun theAdviceForANameWithBracesWorks() {
         folder.wedge("{a,b}.obj")
         val picture = folder.resolve("{a,b}.png").apply { writeText("old") }
@@ -146,13 +138,6 @@ class ProcessTest {
         val process = start(words, listOf("-Xmx2g")) {}
         child.await(process, "no temporary file") { folder.listDirectoryEntries(".large.png.*").isNotEmpty() }
         return process
-    }
-
-    @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun exitCodeOfAMistake() {
-        assertEquals(2, start("render", "teapto", "-o", "x.png").code())
-        assertTrue(errors.startsWith("zcli: error: "), errors)
     }
 
     @Test

@@ -71,37 +71,11 @@ class StillbornRenderer : FailingRenderer("stillborn", { IllegalStateException()
     }
 }
 
-/** Ends the process without output if the frame has more than two primitives. */
-class HaltingRenderer : Renderer {
-    override val id: String get() = "halting"
-
-    override val summary: String get() = "halts"
-
-    override fun render(frame: Frame, sink: RowSink): Counters {
-        if (frame.primitives.size > 2) Runtime.getRuntime().halt(0)
-        return ZBufferRenderer().render(frame, sink)
-    }
-}
-
-/** Halts the JVM before the suite can use it. */
-class HaltedRenderer : FailingRenderer("halted", { IllegalStateException() }) {
-    init {
-        Runtime.getRuntime().halt(0)
-    }
-}
-
 /** Never ends, but runs a little now and then. */
 class DozingRenderer : FailingRenderer("dozing", ::doze)
 
 private fun doze(): Nothing {
     while (true) Thread.sleep(5)
-}
-
-/** Its constructor never returns. */
-class EternalRenderer : FailingRenderer("eternal", { IllegalStateException() }) {
-    init {
-        while (true) Thread.sleep(Long.MAX_VALUE)
-    }
 }
 
 /** Has all capabilities that flags can require. Delegates to `lists`, and records its options. */

@@ -25,13 +25,6 @@ class BatchMistakesTest {
 
     private fun render(vararg args: Any): Zrun = zcli("render", "--size", "48x40", *args)
 
-    @Test
-    fun dataOfPixelsAreForASinglePicture() {
-        val data = folder.resolve("x.png")
-        render("teapot", "city", "--aov", "depth=$data").mistake("--aov is for a single picture")
-        render("teapot", "city", "--aov-picture", "depth=$data").mistake("--aov-picture is for a single picture")
-    }
-
     /** Only a single picture can be written to standard output, so messages about several do not offer it. */
     @Test
     fun standardOutputIsOnlyOfferedWhereItIsPossible() {
@@ -44,14 +37,6 @@ class BatchMistakesTest {
         for (run in several) assertFalse("standard output" in run.mistake("-o must end in .").errors, run.errors)
         render("teapot", "-o", "$out/a.gif")
             .mistake("-o must end in .png or .ppm or .dzi or .svg, or be - for standard output")
-    }
-
-    @Test
-    fun gifFilesHaveShortSides() {
-        val run = zcli("render", "teapot", "--turntable", "2", "--size", "70000x1", "--aa", "1", "-o", "$folder/a.gif")
-        val message = "a GIF has at most 65535 columns and rows: 70000x1; choose a smaller --size"
-        assertTrue(message in run.errors, run.errors)
-        assertEquals(ExitCode.MISTAKE, run.code)
     }
 
     @Test

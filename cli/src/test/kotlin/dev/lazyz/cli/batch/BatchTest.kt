@@ -188,6 +188,8 @@ class BatchTest {
     fun optionsThatMakeNoSenseTogether() {
         render("teapot", "city", "--depth-out", "x.pfm").mistake("--depth-out is for a single picture")
         render("teapot", "city", "--ref", "x.png").mistake("--ref is for a single picture")
+        render("teapot", "city", "--aov", "depth=x.png").mistake("--aov is for a single picture")
+        render("teapot", "city", "--aov-picture", "depth=x.png").mistake("--aov-picture is for a single picture")
         render("teapot", "city", "--explain").mistake("--explain is for a single picture")
         render("teapot", "--views", "iso,top", "--view", "left").mistake("--views cannot be combined with --view")
         render("teapot", "--turntable", "3", "--eye", "1,2,3").mistake("--turntable cannot be combined with --eye")
@@ -206,14 +208,6 @@ class BatchTest {
         assertFalse(out.exists() || folder.resolve("a.png").exists())
     }
 
-    @Test
-    fun anExistingFileIsReplacedOnlyIfItIsNamed() {
-        val target = folder.resolve("teapot.png").apply { writeText("old") }
-        val name = folder.resolve("{stem}.png")
-        render("teapot", "-o", name).done()
-        assertTrue(target.readBytes().size > 100)
-    }
-
     /** A texture that needs more memory than files of this size usually do. */
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
@@ -228,23 +222,5 @@ class BatchTest {
         render(model, "teapot", "-o", "$out/{stem}.png", "--max-texels", "100").let {
             assertTrue("--max-texels" in it.errors) { it.errors }
         }
-    }
-
-    @Test
-    fun emptyPicturesAndWarningsNameTheInput() {
-        val run =
-            render("teapot", models.resolve("a.obj"), "--eye", "0,0,9", "--target", "0,0,90", "-o", "$out/{stem}.png")
-        assertEquals(
-            "zcli: warning: teapot: nothing is visible: the picture is all background\n" +
-                "zcli: warning: a: nothing is visible: the picture is all background\n",
-            run.errors,
-        )
-    }
-
-    @Test
-    fun tablesOfStatisticsAreInTheOrderOfTheInputs() {
-        val run = render("teapot", "city", "-o", "$out/{stem}.png", "--stats").done()
-        val inputs = Regex("""\| input +\| +(\w+) \|""").findAll(run.text).map { it.groupValues[1] }.toList()
-        assertEquals(listOf("teapot", "city"), inputs)
     }
 }

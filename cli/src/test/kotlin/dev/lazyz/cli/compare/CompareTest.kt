@@ -11,7 +11,6 @@ import dev.lazyz.cli.WrongDepthRenderer
 import dev.lazyz.cli.Zrun
 import dev.lazyz.cli.glass
 import dev.lazyz.cli.output.ExitCode
-import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.run
 import dev.lazyz.cli.statIn
 import dev.lazyz.cli.wedge
@@ -21,8 +20,6 @@ import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.world.Scene
-import java.io.ByteArrayOutputStream
-import java.io.PrintStream
 import java.nio.file.Path
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
@@ -186,29 +183,11 @@ class CompareTest {
     }
 
     @Test
-    fun repeatPrintsOneTimeEach() {
-        val run = compare("teapot", "--repeat", "3", "--json").done()
-        assertEquals("3", run.stat("repeat"))
-        assertEquals(builtIn.size, run.stats("millis").size)
-    }
-
-    @Test
     fun everyRepetitionIsCompared() = withRenderers(folder, FickleRenderer::class.java.name) {
         val options = arrayOf("--strategy", "fickle", "--json", "--repeat")
         assertEquals(ExitCode.DONE, compare("teapot", *options, "1").code)
         val run = compare("teapot", *options, "2")
         assertEquals(ExitCode.DIFFERENT to "different", run.code to run.stat("outcome"))
-    }
-
-    @Test
-    fun progressIsShownOnTerminals() {
-        val shown = ByteArrayOutputStream()
-        val terminal = Streams("".byteInputStream(), ByteArrayOutputStream(), PrintStream(shown, true)) { it == 2 }
-        val words = arrayOf("compare", "teapot", "--size", "4x3", "--strategy", "lazy", "--repeat", "2")
-        assertEquals(ExitCode.DONE, run(words, terminal))
-        val parts = listOf("reading teapot", "setting up 4x3", "rendering with lazy, 1 of 2", "lazy, 2 of 2")
-        assertEquals(parts, parts.filter { it in shown.toString() }, shown.toString())
-        assertTrue(shown.toString().endsWith(" \r"), "wiped out at the end")
     }
 
     @Test

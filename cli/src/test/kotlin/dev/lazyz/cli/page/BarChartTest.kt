@@ -34,12 +34,6 @@ class BarChartTest {
     }
 
     @Test
-    fun theDescriptionHasAllNumbers() {
-        val svg = chart(BarChart.Bar("a", 8.0, "8 KiB", part = 2.0), BarChart.Bar("b", null, "does not blend"))
-        assertEquals("Calls: a 8 KiB (discarded 25.00%); b does not blend", svg.getAttribute("aria-label"))
-    }
-
-    @Test
     fun nothingIsAChartToo() {
         val svg = chart(BarChart.Bar("a", 0.0, "0"), BarChart.Bar("b", null, "failed"))
         assertEquals(

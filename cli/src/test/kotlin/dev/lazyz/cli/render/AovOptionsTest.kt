@@ -12,7 +12,6 @@ import kotlin.io.path.exists
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
-import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -65,32 +64,6 @@ class AovOptionsTest {
         val text = file("parts.json").readText()
         assertTrue(Regex(""""name": "car/wheel",\s+"pixels": \d{2,}""").containsMatchIn(text)) { text }
         render("molecule", "--aov", "depth=${file("d.json")}").mistake("lists objects", ".npz")
-    }
-
-    @Test
-    fun thePictureIsTheUsualOne() {
-        render("city").done()
-        val usual = file("picture.png").readBytes()
-        render("city", "--aov", "all=${file("all.npz")}").done()
-        assertArrayEquals(usual, file("picture.png").readBytes())
-    }
-
-    @Test
-    fun positionsAreInCoordinatesOfTheModel() {
-        val model = file("model.obj")
-        model.writeText("v 0 0 7\nv 9 0 7\nv 0 5 7\nf 1 2 3\n")
-        for (up in listOf("y", "z", "-x")) {
-            val aovs = "position=${file("p.npy")}"
-            render(model, "--up=$up", "--aov", aovs, "--aov", "normal=${file("n.npy")}", "--eye", "3,2,30").done()
-            val points = floats("p.npy").chunked(3).filter { it != listOf(0f, 0f, 0f) }
-            assertTrue(points.size > 20) { "$up: ${points.size}" }
-            for ((x, y, z) in points) {
-                assertTrue(x in 0f..9f && y in 0f..5f) { "$up: $x, $y" }
-                assertEquals(7f, z, 1e-5f)
-            }
-            val normals = floats("n.npy").chunked(3).toSet() - setOf(listOf(0f, 0f, 0f))
-            assertEquals(setOf(listOf(0f, 0f, 1f)), normals) { up }
-        }
     }
 
     @Test

@@ -9,7 +9,6 @@ import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
@@ -114,40 +113,6 @@ class CameraOptionsTest {
                 assertReproduced(cameras, listOf("--camera", choice, "--up=$up"), listOf("--up=$up"))
             }
         }
-    }
-
-    @Test
-    fun aModelIsFittedAndASceneKeepsItsCamera() {
-        assertEquals(hash(cameras), hash(cameras, "--camera", "fit"))
-        assertEquals(hash(cameras, "--camera", "0"), hash(cameras, "--camera", "scene"))
-        assertEquals(hash(cameras, "--camera", "1"), hash(cameras, "--camera", "far away"))
-        assertEquals(4, listOf("fit", "0", "1").map { hash(cameras, "--camera", it) }.plus("").distinct().size)
-        assertEquals(hash("plane"), hash("plane", "--camera", "scene"))
-        assertNotEquals(hash("plane"), hash("plane", "--camera", "fit"))
-    }
-
-    @Test
-    fun camerasOfAModelTurnWithIt() {
-        // The model lies differently in the file, but the camera sees it as before
-        for (up in listOf("x", "-x", "-y", "z", "-z")) {
-            for (choice in listOf("0", "1")) {
-                val options = arrayOf("--camera", choice, "--shading", "constant", "--background", "black")
-                assertEquals(hash(cameras, *options), hash(cameras, *options, "--up=$up"), up)
-            }
-        }
-    }
-
-    @Test
-    fun zoomKeepsTheCameraOfTheScene() {
-        fun camera(vararg words: String) = render("plane", "--print-camera", *words).errors.split(" ")
-        val (before, after) = camera() to camera("--zoom", "2")
-        assertEquals(
-            listOf("--fov"),
-            before.zip(after).filter { (a, b) ->
-                a != b
-            }.map { it.first.substringBefore('=') }
-        )
-        assertEquals(hash("plane"), hash("plane", "--zoom", "1"))
     }
 
     /** A fitted camera cannot come near enough to fill the picture, a camera at a given place need not. */

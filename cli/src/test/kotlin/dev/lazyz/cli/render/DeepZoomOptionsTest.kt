@@ -4,7 +4,6 @@ import dev.lazyz.cli.argb
 import dev.lazyz.cli.image
 import dev.lazyz.cli.wedge
 import dev.lazyz.cli.zcli
-import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 import kotlin.io.path.exists
@@ -16,7 +15,6 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
 
 /**
@@ -37,13 +35,6 @@ class DeepZoomOptionsTest {
             val tile = folder.resolve("a_files/8/0_0.png").image
             assertEquals(expected.argb(), tile.argb())
         }
-    }
-
-    @Test
-    fun severalPicturesCanBePyramids() {
-        zcli("render", "teapot", "city", "--size", "40", "-o", folder.resolve("{stem}.dzi")).done()
-        val names = folder.listDirectoryEntries().map { it.name }.toSet()
-        assertEquals(setOf("teapot.dzi", "teapot_files", "city.dzi", "city_files"), names)
     }
 
     @Test
@@ -71,18 +62,6 @@ class DeepZoomOptionsTest {
     }
 
     @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun aPyramidThatIsNotInterruptedIsTheSameWithResume() {
-        val model = folder.wedge()
-        zcli("render", model, "--size", "600", "-o", dzi).done()
-        val other = folder.resolve("b.dzi")
-        zcli("render", model, "--size", "600", "-o", other, "--resume").done()
-        assertEquals(content(folder.resolve("a_files")), content(folder.resolve("b_files")))
-        assertEquals(dzi.readText(), other.readText())
-        assertFalse(folder.resolve("b_files.partial").exists())
-    }
-
-    @Test
     fun aChangedModelOrOptionIsRefused() {
         val model = folder.wedge()
         val facts = folder.resolve("a_files.partial").createDirectories().resolve("resume.txt")
@@ -94,10 +73,5 @@ class DeepZoomOptionsTest {
         facts.writeText("")
         zcli(*words).done()
         assertTrue(dzi.exists())
-    }
-
-    private fun content(folder: Path): Map<String, Int> = Files.walk(folder).use { all ->
-        all.filter { Files.isRegularFile(it) }.toList()
-            .associate { "${folder.relativize(it)}" to Files.readAllBytes(it).contentHashCode() }
     }
 }

@@ -59,14 +59,6 @@ class LightOptionsTest {
 
     private fun brightness(pixels: List<Int>): Double = pixels.map { it ushr 8 and 0xFF }.average()
 
-    @ParameterizedTest
-    @ValueSource(strings = ["studio", "three-point", "flat", "headlight", "sun", "STUDIO"])
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
-    fun presetsReplaceTheLight(light: String) {
-        val pixels = argb(cubes, "--light", light)
-        if (light.lowercase() == "studio") assertEquals(argb(cubes), pixels) else assertNotEquals(argb(cubes), pixels)
-    }
-
     @Test
     fun presetsReplaceLightsOfTheScene() {
         val scene = folder.resolve("scene.json")
@@ -77,32 +69,6 @@ class LightOptionsTest {
         assertTrue(own.any { it ushr 16 and 0xFF == 0 && it and 0xFF == 0 })
         assertTrue(blank(scene, "--light", "flat").all { it == -1 })
         assertTrue(brightness(argb(scene, "--light-intensity", "4")) > brightness(own))
-    }
-
-    /** The lights that a scene file names are those of the flag, also from another side; flags replace what it says. */
-    @Test
-    @DisabledIfSystemProperty(named = "lazyz.effort", matches = "rest")
-    fun sceneFilesNameTheirLight() {
-        fun scene(members: String) = folder.resolve("named.json").apply {
-            writeText("""{"lazyz": 1, $members "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]}""")
-        }
-        for (words in listOf(emptyArray(), arrayOf("--view", "back"))) {
-            for (rig in listOf("three-point", "headlight", "sun")) {
-                val expected = argb(scene(""), "--light", rig, "--light-intensity", "0.5", *words)
-                val named = scene(""""lights": "$rig", "lightIntensity": 0.5,""")
-                assertEquals(expected, argb(named, *words), rig)
-            }
-        }
-        val plain = argb(scene(""))
-        val named = scene(""""lights": "sun", "lightIntensity": 0.5,""")
-        assertEquals(plain, argb(named, "--light", "studio", "--light-intensity", "1"))
-    }
-
-    @Test
-    fun intensityMultipliesTheLight() {
-        val plain = argb(cubes, "--background", "black", "--light-intensity", "1")
-        assertTrue(brightness(argb(cubes, "--background", "black", "--light-intensity", "2")) > brightness(plain) * 1.2)
-        assertTrue(blank(cubes, "--background", "black", "--light-intensity", "0").all { it == 0xFF shl 24 })
     }
 
     /** Models with dark materials get more light; a colour that the user chose, and scene files, do not. */
@@ -136,19 +102,6 @@ class LightOptionsTest {
     }
 
     @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun theGroundIsDarkerBelowTheModel() {
-        val without = argb(cubes, "--elevation", "30")
-        val with = argb(cubes, "--elevation", "30", "--ground-shadow")
-        val changed = without.indices.filter { without[it] != with[it] }
-        assertTrue(changed.size > 50 && changed.all { without[it] == -1 || with[it] and 0xFF < 0xFF }) { "$changed" }
-        val clear = picture(cubes, "--elevation", "30", "--ground-shadow", "--background", "transparent")
-        assertTrue(clear.argb().any { it ushr 24 in 5..250 && it and 0xFFFFFF == 0 })
-        val gradient = argb(cubes, "--elevation", "30", "--ground-shadow", "--background", "skyblue,white")
-        assertTrue(gradient.all { it ushr 24 == 0xFF })
-    }
-
-    @Test
     fun aLitSphereReplacesColours() {
         val image = BufferedImage(32, 32, BufferedImage.TYPE_INT_RGB)
         for (x in 0 until 32) for (y in 0 until 32) image.setRGB(x, y, if (y < 16) 0xFF0000 else 0x0000FF)
@@ -165,14 +118,6 @@ class LightOptionsTest {
         val product = argb(cubes, "--style", "product")
         assertEquals(product, argb(cubes, "--ambient-occlusion", "--ground-shadow", "--margin", "12"))
         assertNotEquals(product, argb(cubes, "--style", "product", "--margin", "2"))
-    }
-
-    @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun picturesOfProductsEndInTheBackground() {
-        val product = picture(cubes, "--style", "product", "--elevation", "40")
-        for (x in 0 until 40) for (y in listOf(0, 29)) assertEquals(-1, product.getRGB(x, y)) { "($x, $y)" }
-        for (y in 0 until 30) for (x in listOf(0, 39)) assertEquals(-1, product.getRGB(x, y)) { "($x, $y)" }
     }
 
     /** What is computed at pixels for speed is computed at samples if that is asked for. */
@@ -250,20 +195,6 @@ class LightOptionsTest {
         assertEquals(before.second, depth.toFile().readBytes().toList())
     }
 
-    @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun allStrategiesGiveTheSamePicture() {
-        zcli("compare", cubes, "--size", "40x30", "--style", "product").done()
-    }
-
-    /** Lines keep exposure, tone curve and environment. */
-    @Test
-    fun linesKeepTheLight() {
-        val shaded = argb(cubes, "--exposure", "1.5", "--aa", "1")
-        val lines = argb(cubes, "--exposure", "1.5", "--aa", "1", "--edges")
-        for (i in shaded.indices) if (lines[i] != 0xFF shl 24) assertEquals(shaded[i], lines[i])
-    }
-
     @ParameterizedTest
     @CsvSource(
         "--light moonlight, 'moonlight'",
@@ -292,29 +223,6 @@ class LightOptionsTest {
         val run = zcli("render", scene, "-o", folder.resolve("never.png"), "--ground-shadow")
         assertEquals(ExitCode.MISTAKE, run.code) { run.errors }
         assertTrue("given on the screen" in run.errors) { run.errors }
-    }
-
-    /** Parts for machines stand on the plane of x and y. */
-    @ParameterizedTest
-    @CsvSource("stl, z", "obj, y")
-    fun theUpAxisDependsOnTheFormat(format: String, axis: String) {
-        val corners = listOf("0 0 0", "4 0 0", "0 2 0", "0 0 1")
-        val faces = listOf(listOf(0, 2, 1), listOf(0, 1, 3), listOf(0, 3, 2), listOf(1, 2, 3))
-        val file = folder.resolve("part.$format")
-        file.writeText(
-            if (format == "obj") {
-                corners.joinToString("") { "v $it\n" } +
-                    faces.joinToString("") { face -> "f ${face.joinToString(" ") { "${it + 1}" }}\n" }
-            } else {
-                faces.joinToString("", "solid part\n", "endsolid\n") { face ->
-                    "facet normal 0 0 0\nouter loop\n" + face.joinToString("") { "vertex ${corners[it]}\n" } +
-                        "endloop\nendfacet\n"
-                }
-            },
-        )
-        assertEquals(argb(file, "--up", axis), argb(file))
-        val other = if (axis == "z") "y" else "z"
-        assertNotEquals(argb(file, "--up", other), argb(file))
     }
 
     /** Lines look the same in large and in small pictures: they cover the same part of them. */

@@ -13,7 +13,6 @@ import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
-import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
@@ -104,12 +103,5 @@ class LimitsTest {
         scene.writeText("""{"lazyz": 1, "surfaces": [{"mesh": "../wedge.obj"}]}""")
         zcli("render", scene, "-o", out).mistake("../wedge.obj lies outside", "--allow-outside")
         check(zcli("render", scene, "--allow-outside", "-o", out).code == ExitCode.DONE)
-    }
-
-    @Test
-    fun aPipeIsNoInput() {
-        val pipe = folder.resolve("pipe.obj")
-        assumeTrue(ProcessBuilder("mkfifo", "$pipe").start().waitFor() == 0, "no pipes with names here")
-        zcli("render", pipe, "-o", out).mistake("is a pipe or a device", "standard input")
     }
 }

@@ -73,18 +73,6 @@ class MemoryOptionTest {
     private fun absolute(words: List<String>): Array<String> =
         words.map { if (it == "hills.stl") "$model" else it }.toTypedArray()
 
-    @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun theMemoryThatTheMessageNamesIsEnough() {
-        val refused = render(12, "a.png", listOf("city", "--size", "2000", "--aa", "2"))
-        assertEquals(2, refused.code)
-        for (part in listOf("--memory allows 12.0 MiB", "reserve for the garbage collector", "--aa 1", "--size")) {
-            assertTrue(part in refused.errors, refused.errors)
-        }
-        val outcome = render(named(refused.errors), "a.png", listOf("city", "--size", "2000", "--aa", "2"))
-        assertEquals(0, outcome.code, outcome.errors)
-    }
-
     /** The amount that a message says to use, MiB. */
     private fun named(errors: String): Int =
         checkNotNull(Regex("Use --memory (\\d+)m").find(errors)) { errors }.groupValues[1].toInt()

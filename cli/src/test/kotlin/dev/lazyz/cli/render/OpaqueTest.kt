@@ -3,14 +3,11 @@ package dev.lazyz.cli.render
 import dev.lazyz.cli.argb
 import dev.lazyz.cli.image
 import dev.lazyz.cli.zcli
-import dev.lazyz.scenes.Scenes
-import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.awt.image.BufferedImage
 import java.nio.file.Path
 import javax.imageio.ImageIO
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
@@ -40,31 +37,6 @@ class OpaqueTest {
     fun blendingNeedsTranslucentMaterials() {
         val blend = arrayOf("--opaque", "--select", "blend", "-o", "x.png")
         zcli("render", "teapot", *blend).mistake("--select blend has no effect with --opaque")
-    }
-
-    /** The picture is that of the frame with all its primitives made opaque. */
-    @Test
-    fun materialsTexturesVerticesAndShadersAreOpaque() {
-        val image = BufferedImage(2, 2, BufferedImage.TYPE_INT_ARGB)
-        for (i in 0 until 4) image.setRGB(i % 2, i / 2, (60 * i + 20 shl 24) or 0x4080C0)
-        ImageIO.write(image, "png", folder.resolve("glass.png").toFile())
-        val uvs = """"uvs": [0, 1, 1, 1, 1, 0, 0, 0]"""
-        val colors = """"colors": [1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 1, 1, 1, 1, 0.25]"""
-        val kinds = mapOf(
-            "base colour" to square(0, uvs, """"baseColor": [1, 0.5, 0.25, 0.5]"""),
-            "texture" to square(0, uvs, """"texture": "glass.png""""),
-            "vertices" to square(0, colors, """"shading": "flat""""),
-            "shader" to square(0, uvs, """"tint": 7"""),
-            "points" to """{"points": {"positions": [0, 0, 0], "size": 9, "colors": [1, 0, 0, 0.5]},
-                "material": {"alphaMode": "blend"}}""",
-        )
-        for ((kind, surface) in kinds) {
-            val file = scene(surface + "," + square(-1, uvs, """"baseColor": [0, 0, 1, 0.5]"""))
-            val loaded = Scenes.load(file)
-            val frame = loaded.scene.frame(loaded.raster(40, 30))
-            assertTrue(frame.hasTranslucency, kind)
-            assertEquals(ZBufferRenderer().render(frame.asOpaque()).argb.toList(), argb(file), kind)
-        }
     }
 
     /** What the user chooses on the command line is opaque, too. */

@@ -6,7 +6,6 @@ import dev.lazyz.cli.zcli
 import java.nio.file.Files
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 
@@ -36,21 +35,5 @@ class PixelSizesTest {
         assertEquals(Pair(25, 11), count("--point-size", "5"))
         assertEquals(Pair(9, 3 * 13), count("--line-width", "3"))
         assertEquals(Pair(1, 11), count("--point-size", "0.5", "--line-width", "0.5"))
-    }
-
-    @Test
-    fun wrongSizesAreMistakes() {
-        val file = Files.writeString(folder.resolve("dots.json"), scene)
-        for (wrong in listOf("0", "4097", "x")) {
-            val result = zcli("render", file, "-o", "-", "--point-size", wrong)
-            assertTrue(result.code != 0 && "--point-size" in result.errors) { result.errors }
-        }
-    }
-
-    @Test
-    fun allStrategiesAgree() {
-        val file = Files.writeString(folder.resolve("dots.json"), scene)
-        val result = zcli("compare", file, "--point-size", "7", "--line-width", "2.5")
-        assertEquals(0, result.code, result.errors)
     }
 }

@@ -75,15 +75,6 @@ class ReferenceTest {
     }
 
     @Test
-    fun regionsAreComparedToo() {
-        render("-o", reference, "--region", "10,5,20x10").done()
-        render("--ref", reference, "--region", "10,5,20x10").done()
-        val run = render("--ref", reference)
-        assertEquals(ExitCode.DIFFERENT, run.code)
-        assertTrue("the sizes differ: expected 20x10, but was 40x30" in run.errors, run.errors)
-    }
-
-    @Test
     fun statisticsHaveTheComparison() {
         render("-o", reference, "--background", "white").done()
         val same = render("--ref", reference, "--background", "white", "--stats=json").done().text

@@ -81,12 +81,6 @@ class RenderMistakesTest {
     }
 
     @Test
-    fun optionsWithoutTheirValue() {
-        render("-o").mistake("-o")
-        render("--size").mistake("--size")
-    }
-
-    @Test
     fun inputs() {
         val out = arrayOf("-o", folder.resolve("x.png"))
         zcli("render", folder.resolve("none.obj"), *out).mistake("none.obj: no such file")
@@ -149,14 +143,6 @@ class RenderMistakesTest {
         locked.toFile().setWritable(false)
         assumeFalse(Files.isWritable(locked), "the superuser may write everywhere")
         render("-o", locked.resolve("x.png")).mistake("no permission to write in")
-    }
-
-    @Test
-    fun picturesLargerThanMemory() {
-        val out = arrayOf("-o", folder.resolve("x.png"))
-        render(*out, "--size", "262144x262144", "--strategy", "zbuffer")
-            .mistake("68719476736 pixels", "choose a smaller --size")
-        assertOnlyInput()
     }
 
     @Test

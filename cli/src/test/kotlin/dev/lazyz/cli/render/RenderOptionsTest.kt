@@ -13,7 +13,6 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.DisabledIfSystemProperty
@@ -121,21 +120,6 @@ class RenderOptionsTest {
         assertEquals(hashes.size, hashes.toSet().size, "views differ")
     }
 
-    @Test
-    fun anglesRefineAView() {
-        assertEquals(hash("--azimuth", "90", "--elevation=-20"), hash("--view", "right", "--elevation", "-20"))
-        assertEquals(hash(), hash("--azimuth", "30", "--elevation", "20", "--zoom", "1", "--projection", "perspective"))
-    }
-
-    @Test
-    fun background() {
-        assertEquals(0xFF112233.toInt(), pixels("--background", "#112233")[0])
-        assertEquals(0xFF112233.toInt(), pixels("--background", "123")[0])
-        assertEquals(0xFF000000.toInt(), pixels("--background", "Black")[0])
-        assertEquals(0, pixels("--background", "transparent")[0] ushr 24)
-        assertEquals(-1, pixels()[0])
-    }
-
     /** The edges get colours between those of the wedge and of the background; all else stays. */
     @Test
     fun antiAliasing() {
@@ -155,20 +139,6 @@ class RenderOptionsTest {
         zcli("compare", folder.wedge(), "--aa", "2", "--size", "40x30").done()
         zcli("render", folder.wedge(), "-o", out, "--aa", "3").mistake("'3' is not one of 1, 2, 4, 8")
         zcli("render", folder.wedge(), "-o", out, "--aa", "8", "--size", "100000x8").mistake("at most 32768 pixels")
-    }
-
-    @Test
-    fun modelWhoseZIsUpIsTurnedExactly() {
-        val turned = WEDGE.lines().joinToString("\n") { line ->
-            val words = line.split(" ")
-            if (words[0] == "v") "v ${words[1]} -${words[3]} ${words[2]}".replace("-0", "0") else line
-        }
-        folder.resolve("z-up.obj").writeText(turned)
-        zcli("render", folder.resolve("z-up.obj"), "--up", "z", "-o", out, "--size", "40x30").done()
-        val upright = out.image.argb()
-        assertEquals(pixels(), upright)
-        assertEquals(upright, pixels("--up", "y"))
-        assertNotEquals(upright, pixels("--up", "z"))
     }
 
     @ParameterizedTest

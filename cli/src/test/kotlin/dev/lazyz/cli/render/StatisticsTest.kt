@@ -1,7 +1,6 @@
 package dev.lazyz.cli.render
 
 import dev.lazyz.cli.argb
-import dev.lazyz.cli.emptyModel
 import dev.lazyz.cli.image
 import dev.lazyz.cli.statIn
 import dev.lazyz.cli.wedge
@@ -73,13 +72,6 @@ class StatisticsTest {
     }
 
     @Test
-    fun blank() {
-        val empty = folder.emptyModel()
-        val run = zcli("render", empty, "-o", out, "--size", "40x30", "--stats=json")
-        assertEquals(listOf("true", "0", "0.0"), listOf("blank", "visible", "coverage").map { run.stat(it) })
-    }
-
-    @Test
     fun goToStandardErrorWhenThePictureGoesToStandardOutput() {
         val run = zcli("render", folder.wedge(), "-o", "-", "--size", "40x30", "--stats=json")
         assertEquals(40, run.image.width)
@@ -99,12 +91,6 @@ class StatisticsTest {
     }
 
     private fun String.withoutMillis(): String = replace(Regex("""\| millis .*"""), "")
-
-    @Test
-    fun statsTakesNoWordOfItsOwn() {
-        val run = zcli("render", "--stats", folder.wedge(), "-o", out, "--size", "40x30").done()
-        assertTrue("pixelHash" in run.text)
-    }
 
     @Test
     fun namesAreEscaped() {

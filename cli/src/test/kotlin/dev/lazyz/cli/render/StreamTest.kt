@@ -77,7 +77,8 @@ class StreamTest {
             "--ground-shadow" to "--ground-shadow",
             "--aov depth=a.pfm" to "--aov",
             "--strategy lazy" to "with --stream use one of tiled, zbuffer, hybrid, hierarchical",
-            "--select count" to "--select", "--coherence incremental --strategy scanline" to "'scanline' needs",
+            "--select count" to "--select", "--color #ff000080 --strategy zbuffer" to "with --stream only tiled blends",
+            "--coherence incremental --strategy scanline" to "'scanline' needs",
             "--turntable 4" to "--stream is for a single picture", "--views iso,top" to "--stream",
             "--spool nowhere" to "nowhere is not a folder",
         )) {
@@ -102,20 +103,6 @@ class StreamTest {
         val result = zcli("render", model, "-o", out, "--stream", "--explain")
         assertEquals(0, result.code)
         assertTrue("18 primitives are read part by part\nchosen: tiled, because" in result.errors, result.errors)
-    }
-
-    @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun translucentSurfacesBlend() {
-        model.writeBytes(Hills(40).stl())
-        for (options in listOf(
-            arrayOf("--shading", "flat", "--color", "#ff000080", "--view", "front"),
-            arrayOf("--shading", "flat", "--color", "#00ff0040", "--aa", "2", "--up", "x"),
-        )) {
-            assertEquals(pixels(*options), pixels("--stream", *options))
-        }
-        zcli("render", model, "--stream", "-o", out, "--color", "#ff000080", "--strategy", "zbuffer")
-            .mistake("with --stream only tiled blends", "--opaque")
     }
 
     /** Without --stream the model is refused. */

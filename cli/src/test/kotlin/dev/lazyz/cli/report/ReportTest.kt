@@ -8,7 +8,6 @@ import dev.lazyz.Rgba
 import dev.lazyz.RowSink
 import dev.lazyz.cli.BuggyRenderer
 import dev.lazyz.cli.WrongColorRenderer
-import dev.lazyz.cli.WrongDepthRenderer
 import dev.lazyz.cli.Zrun
 import dev.lazyz.cli.argb
 import dev.lazyz.cli.glass
@@ -110,14 +109,6 @@ class ReportTest {
     }
 
     @Test
-    fun strategiesAreRepeatedOrSeparatedByCommas() {
-        val wedge = folder.wedge()
-        val commas = report(wedge, "--strategy", "zbuffer,lazy", "--repeat", "1").done().text
-        assertTrue("2 strategies" in commas, commas)
-        report(wedge, "--strategy", "zbuffer,lasy").mistake("no strategy 'lasy'; did you mean 'lazy'?")
-    }
-
-    @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun chartsShowTheTable() {
         report("city").done()
@@ -196,13 +187,6 @@ class ReportTest {
         }
         assertEquals(listOf(15 * 40 + 20), own.indices.filter { own[it] != right[it] })
         assertTrue("Pixels of wrong-color that differ, yellow to red" in page.shown)
-    }
-
-    @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
-    fun aDifferenceOfDepthAloneIsOne() = withRenderers(folder, WrongDepthRenderer::class.java.name) {
-        assertEquals(ExitCode.DIFFERENT, report("teapot", "--strategy", "lazy", "--strategy", "wrong-depth").code)
-        assertEquals("different", page().rows.getValue("wrong-depth")[0])
     }
 
     @Test

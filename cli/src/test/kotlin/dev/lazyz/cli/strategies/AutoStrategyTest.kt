@@ -26,14 +26,6 @@ class AutoStrategyTest {
     private fun auto(input: Any, vararg options: Any): Zrun = render(input, "--strategy", "auto", *options)
 
     @Test
-    fun autoRendersTheSameBits() {
-        for (scene in listOf("teapot", "city", "molecule", "cycle")) {
-            assertEquals(render(scene).done().stat("pixelHash"), auto(scene).done().stat("pixelHash"), scene)
-        }
-        assertEquals(render(folder.glass()).done().stat("pixelHash"), auto(folder.glass()).done().stat("pixelHash"))
-    }
-
-    @Test
     fun autoHeedsFlagsAndTheScene() {
         val budgeted = auto("teapot", "--memory-budget", "1k").done().stat("strategy")
         assertTrue(Capability.MEMORY_BUDGET in Strategies.find(budgeted).capabilities, budgeted)

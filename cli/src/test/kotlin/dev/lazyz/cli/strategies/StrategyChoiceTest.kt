@@ -99,13 +99,6 @@ class StrategyChoiceTest {
     }
 
     @Test
-    fun flagsThatNoOneStrategyHeedsAreAMistake() {
-        render("teapot", "--memory-budget", "1", "--select", "count")
-            .mistake("no single strategy supports all of --memory-budget (hybrid, lazy", "--select (lists")
-        assertNoPicture()
-    }
-
-    @Test
     fun aStrategyThatDoesNotBlendIsAMistakeForATranslucentScene() {
         for (id in Renderers.builtIn.filter { Capability.TRANSPARENCY !in it.capabilities }.map { it.id }) {
             render(folder.glass(), "--strategy", id)

@@ -88,12 +88,6 @@ class TraceTest {
     }
 
     @Test
-    fun oneCallIsCountedInTheSingular() {
-        val text = trace("plane", "one.gif", "--size", "1", "--steps", "2").done().text
-        assertTrue("1 shading call, 0 of them discarded" in text, text)
-    }
-
-    @Test
     fun transparencyThatAFilmLosesCausesAWarning() {
         val run = trace("teapot", "t.gif", "--background", "transparent", "--steps", "2")
         assertTrue("zcli: warning: a film has no alpha" in run.errors, run.errors)
