@@ -2,7 +2,6 @@ package dev.lazyz.jmh.peers;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.lazyz.jmh.report.Measurements;
@@ -59,28 +58,6 @@ class PeerPageTest {
     }
 
     @Test
-    void startsAreSummedUp() {
-        results.add(SideBySide.START, SideBySide.COLD_SCENE, "zcli", 1, 400);
-        results.add(SideBySide.START, SideBySide.COLD_SCENE, "zcli", 2, 500);
-        assertTrue(section("starts").endsWith(": zcli 450 ms.\n"), section("starts"));
-        assertThrows(IllegalArgumentException.class, () -> section("no"));
-    }
-
-    @Test
-    void litMeshesHaveARowForSixteenSamples() {
-        time("cow.obj lit", 1, SideBySide.BASE, 1, 8);
-        time("cow.obj lit", 1, PLAIN, 1, 4);
-        time("cow.obj lit", 4, SideBySide.BASE, 1, 8);
-        time("cow.obj lit", 4, PLAIN, 1, 16);
-        String table = section("lit");
-        assertTrue(table.contains("| cow.obj | 8.00 | – | – | 16.0 | **0.50** |\n"), table);
-        String line =
-                "- JDK 25: 1 sample 2.00 to 2.00 (median 2.00), 16 samples 0.50 to 0.50 (median 0.50) times as fast as "
-                        + "llvmpipe; 16 take 4.00 to 4.00 (median 4.00) times as long as 1.\n";
-        assertTrue(table.endsWith(line), table);
-    }
-
-    @Test
     void jobsHaveARatioWithinARound() {
         for (double[] job : new double[][] {{1, 10, 30}, {2, 20, 40}, {3, 12, 48}}) {
             results.add(Jobs.TOTAL, "a.obj; 512", "JDK 17: 16 samples", (int) job[0], job[1]);
@@ -92,12 +69,6 @@ class PeerPageTest {
         String table = section("jobs");
         assertTrue(table.contains("| a.obj; 512 | 40.0 | 12.0 (5.00) | **3.00** |\n"), table);
         assertTrue(table.contains("- JDK 17: 1 sample: 6.00 to 6.00 times as fast as VTK: 1 sample, "), table);
-    }
-
-    @Test
-    void aSubjectCanBeReadAgain() {
-        PeerScene subject = new PeerScene("cow.obj lit", 1024, 4, 2);
-        assertEquals(subject, PeerScene.parse(subject.toString()));
     }
 
     @Test
