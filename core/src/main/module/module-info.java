@@ -28,6 +28,8 @@ module dev.lazyz.core {
     exports dev.lazyz.strategies.warnock;
     exports dev.lazyz.strategies.zbuffer;
     exports dev.lazyz.strategies;
+    exports dev.lazyz.world.camera;
+    exports dev.lazyz.world.light;
     exports dev.lazyz.world.material;
     exports dev.lazyz.world.surface;
     exports dev.lazyz.world;

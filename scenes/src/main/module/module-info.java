@@ -14,6 +14,7 @@ module dev.lazyz.scenes {
 
     exports dev.lazyz.scenes.aov;
     exports dev.lazyz.scenes.diff;
+    exports dev.lazyz.scenes.formats;
     exports dev.lazyz.scenes.html;
     exports dev.lazyz.scenes.outputs;
     exports dev.lazyz.scenes.pictures;
@@ -24,6 +25,5 @@ module dev.lazyz.scenes {
     exports dev.lazyz.scenes.writers.animation;
     exports dev.lazyz.scenes.writers.deepzoom;
     exports dev.lazyz.scenes.writers.imageio;
-    exports dev.lazyz.scenes.zip;
     exports dev.lazyz.scenes;
 }

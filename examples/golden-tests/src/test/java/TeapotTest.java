@@ -1,6 +1,6 @@
 import static dev.lazyz.testing.GoldenAssertions.assertThat;
 
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import org.junit.jupiter.api.Test;
 
 class TeapotTest {

@@ -1,7 +1,7 @@
 package dev.lazyz
 
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.name

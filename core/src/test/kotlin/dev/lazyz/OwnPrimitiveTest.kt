@@ -9,9 +9,9 @@ import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading

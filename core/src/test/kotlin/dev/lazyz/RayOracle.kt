@@ -1,7 +1,7 @@
 package dev.lazyz
 
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import org.joml.Vector3d
 import org.joml.Vector4d
 

@@ -1,8 +1,8 @@
 package dev.lazyz
 
-import dev.lazyz.world.Environment
-import dev.lazyz.world.Light.Falloff
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.Light.Falloff
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.OcclusionMap

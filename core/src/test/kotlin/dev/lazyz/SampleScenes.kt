@@ -2,9 +2,9 @@ package dev.lazyz
 
 import dev.lazyz.geometry.FillRule
 import dev.lazyz.setup.FrameBuilder
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading

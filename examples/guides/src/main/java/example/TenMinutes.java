@@ -14,7 +14,7 @@ import dev.lazyz.Rgba;
 import dev.lazyz.SeenPoint;
 import dev.lazyz.lighting.LightRig;
 import dev.lazyz.scenes.LoadedScene;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.scenes.pictures.Backdrop;
 import dev.lazyz.scenes.pictures.PictureFrame;
 import dev.lazyz.scenes.pictures.PictureSettings;

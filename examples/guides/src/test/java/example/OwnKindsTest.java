@@ -12,7 +12,7 @@ import dev.lazyz.filter.SampledFrame;
 import dev.lazyz.filter.SuperSampling;
 import dev.lazyz.strategies.Renderers;
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer;
-import dev.lazyz.world.Camera;
+import dev.lazyz.world.camera.Camera;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.material.Material;
 import dev.lazyz.world.surface.Sphere;

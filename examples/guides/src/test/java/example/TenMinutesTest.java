@@ -9,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.lazyz.Image;
 import dev.lazyz.Rgba;
 import dev.lazyz.scenes.LoadedScene;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.scenes.pictures.Picture;
 import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.strategies.tiled.TiledRenderer;

@@ -6,7 +6,7 @@ import dev.lazyz.Raster
 import dev.lazyz.conformance.assertSamePicture
 import dev.lazyz.render
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.writers.toPng
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.flow.FlowRenderer

@@ -1,7 +1,7 @@
 package example
 
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import io.ktor.client.request.post

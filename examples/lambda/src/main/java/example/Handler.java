@@ -3,7 +3,7 @@ package example;
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadOptions;
 import dev.lazyz.scenes.SceneFormat;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.scenes.writers.Images;
 import dev.lazyz.strategies.tiled.TiledRenderer;

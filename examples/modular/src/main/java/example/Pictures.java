@@ -2,7 +2,7 @@ package example;
 
 import dev.lazyz.Image;
 import dev.lazyz.scenes.SceneFormat;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.scenes.writers.Images;
 import dev.lazyz.strategies.Renderers;
 import dev.lazyz.strategies.flow.FlowRenderer;

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.lazyz.Frame;
 import dev.lazyz.scenes.SceneFormat;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.strategies.Renderers;
 import java.io.ByteArrayInputStream;
 import java.util.List;

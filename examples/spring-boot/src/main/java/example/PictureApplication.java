@@ -8,7 +8,7 @@ import dev.lazyz.scenes.LoadOptions;
 import dev.lazyz.scenes.LoadedScene;
 import dev.lazyz.scenes.SceneFormat;
 import dev.lazyz.scenes.SceneFormatException;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.scenes.pictures.PictureFrame;
 import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.scenes.writers.Images;

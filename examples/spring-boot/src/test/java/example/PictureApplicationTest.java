@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.lazyz.scenes.SceneFormat;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer;
 import java.io.ByteArrayInputStream;

@@ -10,7 +10,7 @@ internal class PackageGraph(sources: List<Source>, private val modulePackages: S
     /**
      * A source file.
      *
-     * @property path its path, for messages and lists of seams
+     * @property path its path, for messages
      */
     class Source(val path: String, val text: String) {
         /** The package that the file declares. */
@@ -38,18 +38,16 @@ internal class PackageGraph(sources: List<Source>, private val modulePackages: S
             .firstOrNull { it in modulePackages }
 
     /**
-     * Returns the cycles: sets of packages that depend on each other, directly or indirectly. Dependencies of the files
-     * [seams] are ignored. A cycle is returned as a few lines: its packages, and the files that create the
-     * dependencies.
+     * Returns the cycles: sets of packages that depend on each other, directly or indirectly. A cycle is returned as a
+     * few lines: its packages, and the files that create the dependencies.
      */
-    fun cycles(seams: Set<String> = emptySet()): List<String> {
-        val counted = arrows.filter { it.source.path !in seams }
-        val next = counted.groupBy({ it.from }, { it.to }).mapValues { it.value.toSet() }
+    fun cycles(): List<String> {
+        val next = arrows.groupBy({ it.from }, { it.to }).mapValues { it.value.toSet() }
         val reached = next.keys.associateWith { reachedFrom(it, next) }
         val cycles = next.keys.filter { it in reached.getValue(it) }
             .groupBy { start -> reached.getValue(start).filter { start in reached[it].orEmpty() }.sorted() }
         return cycles.keys.map { cycle ->
-            val inside = counted.filter { it.from in cycle && it.to in cycle }
+            val inside = arrows.filter { it.from in cycle && it.to in cycle }
             val lines = inside.groupBy({ "${it.from} -> ${it.to}" }, { it.source.path.substringAfterLast('/') })
             cycle.joinToString() + lines.toSortedMap().map { (arrow, files) -> "\n    $arrow: ${files.joinToString()}" }
                 .joinToString("")
@@ -58,10 +56,10 @@ internal class PackageGraph(sources: List<Source>, private val modulePackages: S
 
     /**
      * Returns the dependencies on packages that are not below the package of the source, as [level] defines it: a
-     * package has a higher level than those below it. Dependencies of the files [seams] are ignored.
+     * package has a higher level than those below it.
      */
-    fun upward(level: (packageName: String) -> Int, seams: Set<String>): List<String> =
-        arrows.filter { it.source.path !in seams && level(it.to) >= level(it.from) }
+    fun upward(level: (packageName: String) -> Int): List<String> =
+        arrows.filter { level(it.to) >= level(it.from) }
             .map { "${it.source} names ${it.to}" }
 
     private fun reachedFrom(start: String, next: Map<String, Set<String>>): Set<String> {

@@ -37,7 +37,7 @@ class PackagesTest {
     @ValueSource(strings = ["core", "scenes", "conformance", "cli", "jmh"])
     fun arrowsBetweenPackagesGoOneWay(module: String) {
         assertTrue(sources.getValue(module).size > 20) { "only ${sources.getValue(module)}" }
-        val cycles = graph(module).cycles(SEAMS.keys)
+        val cycles = graph(module).cycles()
         assertTrue(cycles.isEmpty()) { "packages that name each other in a circle:\n${cycles.joinToString("\n")}" }
     }
 
@@ -45,20 +45,11 @@ class PackagesTest {
     fun packagesOfCoreNameOnlyThoseBelowThem() {
         val packages = sources.getValue("core").map { it.packageName }.toSet()
         assertEquals(emptyList<String>(), packages.filter { it !in LEVELS && !it.startsWith("dev.lazyz.strategies.") })
-        assertEquals(emptyList<String>(), graph("core").upward(::level, SEAMS.keys))
+        assertEquals(emptyList<String>(), graph("core").upward(::level))
     }
 
     /** The level of a package of core. All packages of strategies, except the parts of `tiled`, are on one level. */
     private fun level(name: String): Int = LEVELS.indexOf(if (name in LEVELS) name else "dev.lazyz.strategies.*")
-
-    @Test
-    fun eachSeamIsThereAndNeeded() {
-        for ((seam, why) in SEAMS) {
-            assertTrue(Files.exists(root.resolve(seam))) { "$seam ($why) is not there" }
-            val cycles = graph(seam.substringBefore('/')).cycles(SEAMS.keys - seam)
-            assertTrue(cycles.isNotEmpty()) { "$seam makes no circle: take it off the list" }
-        }
-    }
 
     @Test
     fun eachFileLiesInTheFolderOfItsPackage() {
@@ -107,26 +98,13 @@ class PackagesTest {
     private companion object {
         /** The packages of core from bottom to top: each names only those before it, see `docs/architecture.md`. */
         val LEVELS = listOf(
-            "spi", "", "geometry", "raster", "world.material", "world.surface", "world",
-            "shading.light", "shading.pbr", "shading", "setup",
+            "spi", "", "geometry", "raster", "world.material", "world.camera", "world.light", "world.surface",
+            "shading.light", "shading.pbr", "shading", "setup", "world",
             "sections", "drawing", "pipeline", "filter",
             "strategies.tiled.raster", "strategies.tiled.binning", "strategies.tiled.resolve",
             "strategies.*", "strategies", "planning", "lighting", "aov",
         ).map { if (it.isEmpty()) "dev.lazyz" else "dev.lazyz.$it" }
 
         val MODULES = listOf("core", "scenes", "conformance", "testing", "server", "spark", "swing", "cli", "jmh")
-
-        /**
-         * Files whose dependencies are ignored, each with the reason. They connect packages so that no other file has
-         * to.
-         */
-        val SEAMS = mapOf(
-            "core/src/main/kotlin/dev/lazyz/world/surface/SetUp.kt" to
-                "surfaces become primitives by what it calls, for the camera and the lights of a scene",
-            "scenes/src/main/kotlin/dev/lazyz/scenes/Scenes.kt" to
-                "the door that users know: it leads to the loaders and to the built-in scenes",
-            "scenes/src/main/kotlin/dev/lazyz/scenes/formats/SceneReading.kt" to
-                "the list of formats, of which scene files may hold models of any",
-        )
     }
 }

@@ -8,7 +8,7 @@ import dev.lazyz.conformance.mutants.wrappers.PromiseMistakes
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.Waivers
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.writeText

@@ -2,7 +2,7 @@ package dev.lazyz.conformance
 
 import dev.lazyz.conformance.fuzz.DifferentialFuzzing
 import dev.lazyz.conformance.mutants.PlainRenderer
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.nio.file.Files
 import java.nio.file.Path

@@ -11,8 +11,8 @@ import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.setup.Viewport
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.SetUp

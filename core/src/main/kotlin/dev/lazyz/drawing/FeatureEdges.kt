@@ -2,8 +2,8 @@ package dev.lazyz.drawing
 
 import dev.lazyz.Checkpoint
 import dev.lazyz.geometry.Vectors
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 

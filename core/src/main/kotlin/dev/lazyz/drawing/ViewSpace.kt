@@ -1,8 +1,8 @@
 package dev.lazyz.drawing
 
 import dev.lazyz.Raster
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import org.joml.Vector3d
 
 /**

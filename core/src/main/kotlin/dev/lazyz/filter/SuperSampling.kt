@@ -6,9 +6,9 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.ShadingRate
 import dev.lazyz.setup.ShadingPoints
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Surface

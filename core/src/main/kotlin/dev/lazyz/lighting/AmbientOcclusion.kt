@@ -1,9 +1,9 @@
 package dev.lazyz.lighting
 
 import dev.lazyz.RenderOptions
-import dev.lazyz.world.AmbientVisibility
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Projection
+import dev.lazyz.world.light.AmbientVisibility
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Points
 

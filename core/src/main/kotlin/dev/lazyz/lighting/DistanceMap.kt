@@ -4,7 +4,7 @@ import dev.lazyz.Depth
 import dev.lazyz.DepthTest
 import dev.lazyz.Image
 import dev.lazyz.geometry.Vectors
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import org.joml.Vector3d
 import org.joml.Vector3dc
 

@@ -7,9 +7,9 @@ import dev.lazyz.filter.composited
 import dev.lazyz.shading.ToneMapper
 import dev.lazyz.shading.pbr.EnvironmentView
 import dev.lazyz.shading.pbr.PhysicalSurface
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 
 /**
  * The environment of a scene behind its pixels, as its camera sees it and smooth metal shows it, with the same exposure

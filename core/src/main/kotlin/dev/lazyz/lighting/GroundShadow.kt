@@ -7,9 +7,9 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Shader
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh

@@ -1,10 +1,10 @@
 package dev.lazyz.lighting
 
 import dev.lazyz.Rgba
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
-import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.material.MetallicRoughness
 import org.joml.Vector3d
 

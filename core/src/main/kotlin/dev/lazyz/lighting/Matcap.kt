@@ -4,9 +4,9 @@ import dev.lazyz.Rgba
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Shader
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import dev.lazyz.world.material.Texture
 import kotlin.math.sqrt
 import org.joml.Vector3dc

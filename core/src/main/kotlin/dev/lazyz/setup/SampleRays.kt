@@ -1,8 +1,8 @@
 package dev.lazyz.setup
 
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
-import dev.lazyz.world.unitAt
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
+import dev.lazyz.world.camera.unitAt
 
 /**
  * The rays of a camera through the samples of a raster, in camera space (contract rule 2.6): `t (px, py, -1)` for

@@ -10,7 +10,7 @@ import dev.lazyz.shading.MaterialShader
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Shader
 import dev.lazyz.spi.Spans
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading

@@ -2,8 +2,8 @@ package dev.lazyz.setup
 
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.Vertices
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import dev.lazyz.world.surface.Mesh
 
 /**

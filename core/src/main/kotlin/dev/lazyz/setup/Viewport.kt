@@ -3,8 +3,8 @@ package dev.lazyz.setup
 import dev.lazyz.Raster
 import dev.lazyz.raster.ScreenGrid
 import dev.lazyz.shading.Vertices
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 
 /**
  * Converts clip space to the grid of the raster. This is the only place where vertices are rounded (contract rules 1.3

@@ -6,8 +6,8 @@ import dev.lazyz.shading.light.Viewer
 import dev.lazyz.shading.pbr.EnvironmentView
 import dev.lazyz.shading.pbr.LobeLighting
 import dev.lazyz.shading.pbr.PhysicalLighting
-import dev.lazyz.world.Camera
-import dev.lazyz.world.SceneLight
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.SceneLight
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import kotlin.math.sqrt

@@ -1,6 +1,6 @@
 package dev.lazyz.shading
 
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.light.ToneMapping
 
 /**
  * Applies exposure and a tone curve to a colour (contract rule 6.11). Immutable and thread safe.

@@ -9,9 +9,20 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Workers
 import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.Extent
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
+import dev.lazyz.setup.SceneSetUp
 import dev.lazyz.spi.Fragment
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
+import dev.lazyz.world.camera.Viewpoint
+import dev.lazyz.world.light.AmbientVisibility
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.SceneLight
+import dev.lazyz.world.light.ToneMapping
+import dev.lazyz.world.light.TurnedVisibility
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.surface.SetUp
@@ -49,7 +60,7 @@ public class Scene private constructor(
     public val toneMapping: ToneMapping?,
     public val ambientVisibility: AmbientVisibility?,
     public val lightIntensity: Float,
-) {
+) : Extent {
     /** Creates a scene with the default [environment] and [toneMapping]; see the properties. */
     @JvmOverloads
     public constructor(
@@ -72,14 +83,10 @@ public class Scene private constructor(
     public val isOnScreen: Boolean get() = (viewpoint as? Camera)?.projection == Projection.Screen
 
     /** The smallest box around all surfaces, or null if there is none. Computed once. */
-    public val bounds: Box? by lazy { surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union) }
+    override val bounds: Box? by lazy { surfaces.mapNotNull { it.bounds }.reduceOrNull(Box::union) }
 
-    /**
-     * Returns the point of all surfaces that is farthest along [direction], see [Surface.farthest], or null if the
-     * scene is empty. A new vector for each call. Cost: for meshes, points and lines a fraction of their vertices,
-     * after all of them were visited once.
-     */
-    public fun farthest(direction: Vector3dc): Vector3d? {
+    /** Cost: for meshes, points and lines a fraction of their vertices, after all of them were visited once. */
+    override fun farthest(direction: Vector3dc): Vector3d? {
         var farthest: Vector3d? = null
         var most = Double.NEGATIVE_INFINITY
         for (surface in surfaces) {
@@ -130,11 +137,14 @@ public class Scene private constructor(
      * one surface at a time.
      */
     public fun primitives(raster: Raster): Sequence<Primitive> {
-        val setUp = setUp(raster, Workers.ALL, Checkpoint.NONE)
+        val setUp = setUp(raster)
         return surfaces.asSequence().flatMap { it.primitives(setUp) }
     }
 
-    private fun setUp(raster: Raster, workers: Workers, checkpoint: Checkpoint): SetUp {
+    /** Returns what makes primitives of surfaces on [raster], for the camera and the lights of this scene. */
+    public fun setUp(raster: Raster): SetUp = setUp(raster, Workers.ALL, Checkpoint.NONE)
+
+    private fun setUp(raster: Raster, workers: Workers, checkpoint: Checkpoint): SceneSetUp {
         val camera = camera(raster.width, raster.height)
         val light = SceneLight(
             scaled(lights.ifEmpty { Light.studio(camera) }),
@@ -146,7 +156,7 @@ public class Scene private constructor(
 
         // A viewpoint can also return a camera of the screen, which has no other origin
         val shadingOrigin = if (camera.projection == Projection.Screen) Vectors.ZERO else origin
-        return SetUp(raster, camera, light, shadingOrigin, workers, checkpoint)
+        return SceneSetUp(raster, camera, light, shadingOrigin, workers, checkpoint)
     }
 
     /** The [environment], or the default one for this scene if it is null, times the [lightIntensity]. */

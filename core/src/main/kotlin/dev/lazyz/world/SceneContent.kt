@@ -8,6 +8,9 @@ import dev.lazyz.FrameView
 import dev.lazyz.NoView
 import dev.lazyz.Reach
 import dev.lazyz.geometry.Box
+import dev.lazyz.setup.SceneSetUp
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.distanceAt
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.StreamedMesh
@@ -20,7 +23,7 @@ import org.joml.Vector3dc
 /**
  * From the [surfaces] of a scene to the content of a frame. Used once.
  */
-internal class SceneContent(private val surfaces: List<Surface>, private val setUp: SetUp) {
+internal class SceneContent(private val surfaces: List<Surface>, private val setUp: SceneSetUp) {
     /** Submission index of the first primitive of each surface. */
     private val starts = IntArray(surfaces.size)
 

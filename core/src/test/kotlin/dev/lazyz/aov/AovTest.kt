@@ -15,8 +15,8 @@ import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.tiled.TiledRenderer
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading

@@ -9,8 +9,8 @@ import dev.lazyz.filter.SuperSampling
 import dev.lazyz.shared.ProcessorTime
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
-import dev.lazyz.world.FittedViewpoint.Fit
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint.Fit
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
@@ -19,7 +19,7 @@ import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Polygon.Vertex
-import dev.lazyz.world.surface.SetUp
+import dev.lazyz.setup.setUp
 import dev.lazyz.world.surface.Surface
 import java.util.Random
 import org.joml.Vector3d
@@ -243,7 +243,7 @@ class EdgeDrawingTest {
         val top = Solids.box(-0.5f, 0f, -0.5f, 0.5f, 1f, 0.5f, plain)
         val camera = Camera.orthographic(Vector3d(3.0, 5.0, 8.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 5.0, 1.0, 20.0)
         val image = render(listOf(base, top), EdgeStyle(width = 1.5), camera, 200)
-        val setUp = SetUp(Raster(200, 200), camera, emptyList())
+        val setUp = setUp(Raster(200, 200), camera, emptyList())
         for (step in 0..100) {
             val point = setUp.project(Vector3d(-0.5 + step / 100.0, 0.0, 0.5))!!
             assertTrue(image.isBlack(point.x.toInt(), point.y.toInt())) { "$point" }

@@ -1,6 +1,6 @@
 package dev.lazyz.drawing
 
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import org.joml.Vector3d

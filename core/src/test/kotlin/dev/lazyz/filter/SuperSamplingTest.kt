@@ -14,8 +14,8 @@ import dev.lazyz.spi.Srgb
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Sphere

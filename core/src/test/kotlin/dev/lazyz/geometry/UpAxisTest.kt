@@ -2,9 +2,9 @@ package dev.lazyz.geometry
 
 import dev.lazyz.Rgba
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh

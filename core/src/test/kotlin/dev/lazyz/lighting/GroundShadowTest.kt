@@ -5,9 +5,9 @@ import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
-import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint.Fit
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d

@@ -4,8 +4,8 @@ import dev.lazyz.Image
 import dev.lazyz.Rgba
 import dev.lazyz.spi.Fragment
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.surface.Mesh

@@ -7,12 +7,11 @@ import dev.lazyz.SampleScenes
 import dev.lazyz.geometry.FillRule
 import dev.lazyz.samples
 import dev.lazyz.samplesByCursor
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Polygon.Vertex
-import dev.lazyz.world.surface.SetUp
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
 import net.jqwik.api.ForAll
@@ -60,7 +59,7 @@ class ClippingProperties {
         val us = lines()
         val vs = lines()
         val camera = camera(random)
-        val setUp = SetUp(raster, camera, emptyList())
+        val setUp = setUp(raster, camera, emptyList())
         val counts = IntArray(32 * 24)
         for (i in 0 until cells) {
             for (j in 0 until cells) {
@@ -116,7 +115,7 @@ class ClippingProperties {
         }
         comb.add(plane.at(4.0, -9.0))
         comb.add(plane.at(-4.0, -9.0))
-        val setUp = SetUp(raster, camera(random), emptyList())
+        val setUp = setUp(raster, camera(random), emptyList())
         val union = IntArray(32 * 24)
         for (i in 0 until teeth) {
             val tooth = comb.subList(4 * i, 4 * i + 4).map(::vertex)

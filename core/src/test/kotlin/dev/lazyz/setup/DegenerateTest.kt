@@ -9,16 +9,15 @@ import dev.lazyz.geometry.FillRule
 import dev.lazyz.samples
 import dev.lazyz.spi.Shader
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
-import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint.Fit
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Polygon.Vertex
-import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
 import java.util.Random
 import org.joml.Matrix4d
@@ -31,7 +30,7 @@ import org.junit.jupiter.api.Test
 class DegenerateTest {
     private val raster = Raster(8, 8)
     private val shader = Shader { it.setColor(1f, 0f, 0f) }
-    private val setUp = SetUp(raster, SampleScenes.camera, emptyList())
+    private val setUp = setUp(raster, SampleScenes.camera, emptyList())
 
     private fun polygon(vararg contours: DoubleArray): Primitive =
         FrameBuilder(raster).polygon(shader, FillRule.NON_ZERO, *contours).build().primitives.single()

@@ -1,8 +1,8 @@
 package dev.lazyz.setup
 
 import dev.lazyz.Primitive
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Mesh

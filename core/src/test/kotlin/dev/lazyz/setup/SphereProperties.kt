@@ -4,9 +4,8 @@ import dev.lazyz.Raster
 import dev.lazyz.samples
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Shader
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
 import java.util.Random
 import net.jqwik.api.EdgeCasesMode
@@ -38,10 +37,10 @@ class SphereProperties {
         val raster = Raster(9, 7)
         val camera = camera(random, 0.5, 100.0)
         val center = Vector3d(random(random, 1.0), random(random, 1.0), random(random, 1.0))
-        val primitive = SetUp(raster, camera, emptyList()).sphere(Sphere(center, 40.0))
+        val primitive = setUp(raster, camera, emptyList()).sphere(Sphere(center, 40.0))
         assertEquals(63, primitive.samples(raster).size)
         val shader = Shader { it.setColor(it.normalX, it.normalY, it.normalZ) }
-        val seen = SetUp(raster, camera, emptyList()).sphere(Sphere(center, 40.0, Material(shader = shader)))
+        val seen = setUp(raster, camera, emptyList()).sphere(Sphere(center, 40.0, Material(shader = shader)))
         val fragment = Fragment()
         fragment.moveTo(4, 3)
         seen.shade(fragment)

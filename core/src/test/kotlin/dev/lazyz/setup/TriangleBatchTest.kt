@@ -3,8 +3,8 @@ package dev.lazyz.setup
 import dev.lazyz.EmptyPrimitive
 import dev.lazyz.SampleScenes
 import dev.lazyz.shading.Vertices
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh

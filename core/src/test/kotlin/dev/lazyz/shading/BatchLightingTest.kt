@@ -1,17 +1,18 @@
 package dev.lazyz.shading
 
 import dev.lazyz.Rgba
+import dev.lazyz.setup.lightOf
 import dev.lazyz.shading.light.LightVectors
 import dev.lazyz.shading.pbr.BatchPhysicalLighting
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.FragmentBatch
-import dev.lazyz.world.AmbientVisibility
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
-import dev.lazyz.world.Light
-import dev.lazyz.world.Light.Falloff
-import dev.lazyz.world.SceneLight
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.AmbientVisibility
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.Light.Falloff
+import dev.lazyz.world.light.SceneLight
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
@@ -192,7 +193,7 @@ class BatchLightingTest {
     fun ordinaryFragmentsAreLitTogether() {
         val batch = batch(100)
         val lights = listOf(Light.Ambient(Rgba.WHITE), Light.Directional(place(), Rgba.WHITE))
-        val lighting = Lighting(SceneLight(lights), perspective).ofBatches
+        val lighting = Lighting(lightOf(lights), perspective).ofBatches
         batch.normalX.copyInto(batch.scratch(BatchLighting.ARRAYS)[LightVectors.NORMAL])
         batch.scratch(BatchLighting.ARRAYS)[LightVectors.OCCLUSION].fill(1f)
         for (array in listOf(batch.red, batch.green, batch.blue)) array.fill(0.5f)

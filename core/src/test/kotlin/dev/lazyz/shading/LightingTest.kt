@@ -2,9 +2,9 @@ package dev.lazyz.shading
 
 import dev.lazyz.Rgba
 import dev.lazyz.spi.Fragment
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Mesh

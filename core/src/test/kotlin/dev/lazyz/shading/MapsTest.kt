@@ -2,11 +2,11 @@ package dev.lazyz.shading
 
 import dev.lazyz.Rgba
 import dev.lazyz.spi.Fragment
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
-import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.NormalMap

@@ -1,14 +1,15 @@
 package dev.lazyz.shading
 
 import dev.lazyz.Rgba
+import dev.lazyz.setup.lightOf
 import dev.lazyz.spi.BatchShader
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
-import dev.lazyz.world.SceneLight
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.SceneLight
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
@@ -45,7 +46,7 @@ class MaterialShaderTest {
         val random = Random(6)
         for (material in materials()) {
             for (isPrelit in listOf(false, true)) {
-                val shader: BatchShader = MaterialShader(material, Lighting(SceneLight(lights), camera), isPrelit)
+                val shader: BatchShader = MaterialShader(material, Lighting(lightOf(lights), camera), isPrelit)
                 val batch = FragmentBatch.of(5)
                 val fields = listOf(
                     batch.worldX, batch.worldY, batch.worldZ, batch.normalX, batch.normalY, batch.normalZ,

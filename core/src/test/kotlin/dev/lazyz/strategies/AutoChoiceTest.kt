@@ -9,7 +9,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.Selector
 import dev.lazyz.samples
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.scene

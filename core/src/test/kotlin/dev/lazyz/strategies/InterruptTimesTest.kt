@@ -7,8 +7,8 @@ import dev.lazyz.drawing.EdgeStyle
 import dev.lazyz.drawing.EdgeStyle.EdgeSet
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.lighting.AmbientOcclusion
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.surface.Mesh

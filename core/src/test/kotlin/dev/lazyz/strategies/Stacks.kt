@@ -4,8 +4,8 @@ import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.setup.FrameBuilder
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Polygon

@@ -4,13 +4,15 @@ import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.asOpaque
 import dev.lazyz.geometry.Box
+import dev.lazyz.setup.setUp
 import dev.lazyz.strategies.Renderers
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Polygon.Vertex
-import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
 import org.joml.Matrix4d
 import org.joml.Vector3d
@@ -79,10 +81,10 @@ class OriginTest {
             Mesh(FloatArray(3), IntArray(0), origin = Vector3d(Double.NaN, 0.0, 0.0))
         }
         assertThrows(IllegalArgumentException::class.java) {
-            SetUp(Raster(1, 1), Camera.fit().camera(Scene(emptyList()), 1.0), emptyList(), Vector3d(0.0, 1e999, 0.0))
+            setUp(Raster(1, 1), Camera.fit().camera(Scene(emptyList()), 1.0), emptyList(), Vector3d(0.0, 1e999, 0.0))
         }
         assertThrows(IllegalArgumentException::class.java) {
-            SetUp(Raster(1, 1), Camera.screen(), emptyList(), Vector3d(0.0, 1.0, 0.0))
+            setUp(Raster(1, 1), Camera.screen(), emptyList(), Vector3d(0.0, 1.0, 0.0))
         }
     }
 

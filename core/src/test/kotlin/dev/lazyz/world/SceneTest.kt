@@ -5,6 +5,9 @@ import dev.lazyz.Rgba
 import dev.lazyz.geometry.Box
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.AmbientVisibility
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap

@@ -77,7 +77,7 @@ public enum class ReferencePolicy {
 /**
  * Limits on what a model can request, so that a small file cannot fill the memory of a server.
  *
- * Each limit applies to everything that one call of [Scenes.load] reads: a scene file together with its meshes and
+ * Each limit applies to everything that one call of `Scenes.load` reads: a scene file together with its meshes and
  * textures. A file that exceeds a limit is refused before the memory is allocated, with a [SceneFormatException] that
  * names the limit. The defaults suit files from untrusted sources; raise them for larger models. Immutable.
  *

@@ -7,8 +7,8 @@ import dev.lazyz.Rgba
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.LightMeter
 import dev.lazyz.lighting.LightRig
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.surface.StreamedMesh
 import java.io.Closeable
 import java.nio.file.Path

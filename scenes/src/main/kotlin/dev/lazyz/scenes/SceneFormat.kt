@@ -70,7 +70,7 @@ public enum class SceneFormat(public val id: String, public val extensions: List
  * input. If the bytes could not be read at all, it is a [SceneReadException].
  *
  * It is an [IOException], so in Java it is caught or declared where a file is read. Only while a scene that is read
- * part by part ([Scenes.stream]) is rendered, it comes as the cause of an [java.io.UncheckedIOException].
+ * part by part (`Scenes.stream`) is rendered, it comes as the cause of an [java.io.UncheckedIOException].
  *
  * The message is complete and addressed to the user of the file: where the problem is, what is wrong, what to do. It
  * is safe to print on a terminal: it has no control characters, and words from the file are cut after 400 characters.

@@ -1,11 +1,14 @@
 package dev.lazyz.scenes;
 
+import dev.lazyz.scenes.formats.Scenes;
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.lazyz.scenes.aov.AovFiles;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.scenes.html.Html;
 import dev.lazyz.scenes.pictures.Picture;
 import dev.lazyz.scenes.scenefile.SceneFile;
@@ -64,7 +67,6 @@ class JavaExceptionsTest {
     @Test
     void whatReadsDeclaresThatAFileIsWrong() {
         declare(SceneFormatException.class, Scenes.class, "load", "stream", "texture");
-        declare(SceneFormatException.class, SceneFile.class, "read", "parse");
         declare(SceneFormatException.class, Picture.class, "read", "decode");
     }
 

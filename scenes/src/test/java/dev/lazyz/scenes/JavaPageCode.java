@@ -1,5 +1,7 @@
 package dev.lazyz.scenes;
 
+import dev.lazyz.scenes.formats.Scenes;
+
 import dev.lazyz.Frame;
 import dev.lazyz.Image;
 import dev.lazyz.Raster;
@@ -9,6 +11,7 @@ import dev.lazyz.filter.SampledFrame;
 import dev.lazyz.filter.SuperSampling;
 import dev.lazyz.planning.RenderPlan;
 import dev.lazyz.planning.RenderPlanner;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.scenes.writers.PngSink;
 import dev.lazyz.strategies.Renderers;
 import dev.lazyz.strategies.tiled.TiledRenderer;

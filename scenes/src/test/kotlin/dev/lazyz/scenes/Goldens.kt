@@ -8,6 +8,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.VerticalGradient
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.world.Scene
 

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.shared.ProcessorTime
 import dev.lazyz.world.surface.Mesh
 import java.nio.ByteBuffer

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.loading.corners
 import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.scenes.threemf.ThreeMfFiles

@@ -1,5 +1,6 @@
 package dev.lazyz.scenes
 
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.images.PngFile
 import java.nio.ByteBuffer
 import java.nio.ByteOrder

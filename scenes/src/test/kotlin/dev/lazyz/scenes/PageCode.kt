@@ -11,6 +11,7 @@ import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.lighting.GroundShadow
 import dev.lazyz.scenes.aov.AovFiles
 import dev.lazyz.scenes.aov.AovPicture
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.pictures.PictureStyle

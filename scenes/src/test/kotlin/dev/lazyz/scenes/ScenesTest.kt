@@ -1,6 +1,7 @@
 package dev.lazyz.scenes
 
 import dev.lazyz.scenes.formats.FormatSniffer
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.world.surface.Mesh
 import java.nio.file.Files

@@ -8,7 +8,7 @@ import dev.lazyz.cli.options.Command
 import dev.lazyz.cli.options.HelpText
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.Strategies
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 
 /** `zcli scenes`: the built-in scenes, one line each. */
 internal class ScenesCommand(private val streams: Streams) : Command("scenes") {

@@ -19,9 +19,9 @@ import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
-import dev.lazyz.world.View
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.View
 import java.nio.file.Path
 import java.time.Duration
 

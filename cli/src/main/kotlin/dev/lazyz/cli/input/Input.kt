@@ -6,8 +6,8 @@ import dev.lazyz.cli.output.printable
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.StreamedScene
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.text.EditDistance
 import java.io.IOException
 import java.nio.file.Files

@@ -2,7 +2,7 @@ package dev.lazyz.cli.options
 
 import com.github.ajalt.clikt.completion.CompletionCandidates
 import com.github.ajalt.clikt.completion.CompletionCandidates.Custom.ShellType
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.ParameterValues
 import dev.lazyz.scenes.pictures.WordCompletion
 

@@ -8,8 +8,8 @@ import dev.lazyz.cli.statIn
 import dev.lazyz.cli.wedge
 import dev.lazyz.cli.zcli
 import dev.lazyz.scenes.scenefile.SceneFile
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import java.awt.image.BufferedImage
 import java.nio.file.Path
 import javax.imageio.ImageIO

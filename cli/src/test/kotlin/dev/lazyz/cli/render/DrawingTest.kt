@@ -4,7 +4,7 @@ import dev.lazyz.cli.ProjectFiles
 import dev.lazyz.cli.emptyModel
 import dev.lazyz.cli.wedge
 import dev.lazyz.cli.zcli
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.PictureDoor
 import dev.lazyz.scenes.pictures.PictureSettings
 import java.io.ByteArrayOutputStream

@@ -7,7 +7,7 @@ import dev.lazyz.cli.output.ExitCode
 import dev.lazyz.cli.wedge
 import dev.lazyz.cli.zcli
 import dev.lazyz.scenes.ImageSize
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.ParameterGroup
 import dev.lazyz.scenes.pictures.PictureDoor
 import dev.lazyz.scenes.pictures.PictureObserver

@@ -10,8 +10,8 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.scenefile.SceneFile
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Polygon.Vertex

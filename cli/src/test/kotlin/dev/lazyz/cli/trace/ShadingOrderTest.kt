@@ -6,7 +6,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode

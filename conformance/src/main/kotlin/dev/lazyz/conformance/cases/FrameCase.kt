@@ -21,7 +21,8 @@ import org.joml.Vector3dc
  * @property frame the frame to render
  * @property code a Kotlin expression whose value is a frame equal to [frame], with imports of `dev.lazyz.*`,
  *   `dev.lazyz.conformance.SuiteFrames`, `dev.lazyz.conformance.cases.*`, `dev.lazyz.conformance.frames.*`,
- *   `dev.lazyz.world.*`, `dev.lazyz.world.material.*`, `dev.lazyz.world.surface.*` and `org.joml.Vector3d`
+ *   `dev.lazyz.world.*`, `dev.lazyz.world.camera.*`, `dev.lazyz.world.light.*`, `dev.lazyz.world.material.*`,
+ *   `dev.lazyz.world.surface.*` and `org.joml.Vector3d`
  */
 public class FrameCase(public val frame: Frame, public val code: String) {
     /** The scene from which [frame], or the whole frame of which it is a region, is set up; null if there is none. */

@@ -1,6 +1,6 @@
 package dev.lazyz.conformance.cases
 
-import dev.lazyz.world.AmbientVisibility
+import dev.lazyz.world.light.AmbientVisibility
 
 /**
  * A visibility of ambient light that depends on all coordinates of the point and of the normal, and on nothing else:

@@ -1,6 +1,6 @@
 package dev.lazyz.conformance.cases
 
-import dev.lazyz.world.EnvironmentMap
+import dev.lazyz.world.light.EnvironmentMap
 import java.util.Random
 
 /** Small pictures of surroundings for generated scenes: sky of two colours, ground, and lamps. Thread safe. */

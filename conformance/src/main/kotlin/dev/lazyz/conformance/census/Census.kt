@@ -5,12 +5,12 @@ import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.conformance.cases.Rasters
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
-import dev.lazyz.world.Light
-import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.Light.Falloff
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading

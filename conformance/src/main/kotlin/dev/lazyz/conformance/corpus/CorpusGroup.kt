@@ -11,19 +11,11 @@ import dev.lazyz.conformance.frames.FrameKind
 import dev.lazyz.conformance.frames.FrameMix
 import dev.lazyz.conformance.frames.Frames
 import dev.lazyz.conformance.oracle.ExactPolygon
-import dev.lazyz.conformance.oracle.ExactProjection
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.rules.Rule
 import dev.lazyz.conformance.rules.Symptom
-import dev.lazyz.geometry.FillRule
-import dev.lazyz.scenes.Tint
-import dev.lazyz.world.Camera
-import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.Polygon
 import java.util.Random
 import net.jqwik.api.Shrinkable
-import org.joml.Vector3d
-import org.joml.Vector3dc
 
 /** A scene of the corpus with its name, which can be shrunk. */
 internal class CorpusCase(val group: CorpusGroup, val name: String, val shrinkable: Shrinkable<CorpusScene>) {
@@ -46,7 +38,7 @@ internal class CorpusGroup private constructor(
     private val mix: FrameMix,
     private val isPlain: Boolean = true,
     private val needs: Set<FrameTrait> = emptySet(),
-    private val shapes: (List<ExactPolygon>) -> List<CorpusShape> = ::flat,
+    private val shapes: (List<ExactPolygon>) -> List<CorpusShape> = CorpusShapes::flat,
 ) {
     /** The scenes: [tries] times the usual number, made from the [suite]'s seed. */
     fun cases(suite: Long, tries: Double): List<CorpusCase> {
@@ -82,7 +74,7 @@ internal class CorpusGroup private constructor(
             Raster(given.width, given.height, depthTest = given.depthTest, backgroundDepth = given.backgroundDepth)
         }
         val background = CorpusColor.near(if (isPlain) Rgba.TRANSPARENT else given.background)
-        return CorpusScene(raster, background, shapes(polygons(case, raster)))
+        return CorpusScene(raster, background, shapes(CorpusShapes.polygons(case, raster)))
     }
 
     override fun toString(): String = rule.name
@@ -91,97 +83,6 @@ internal class CorpusGroup private constructor(
         private const val GENERATOR_SIZE = 1000
         private const val SCENES = 20
         private const val MOST_TRIES = 200
-
-        /** Returns the polygons of [case] on the grid: the first one, where the contract permits several. */
-        private fun polygons(case: FrameCase, raster: Raster): List<ExactPolygon> {
-            val scene = checkNotNull(case.scene)
-            val camera = scene.viewpoint as Camera
-            if (!scene.isOnScreen) {
-                val projection = ExactProjection(raster, camera)
-                return outlines(scene.surfaces).flatMap { (contours, rule) ->
-                    projection.polygons(contours, rule).take(1).filterNotNull()
-                }
-            }
-            return scene.surfaces.filterIsInstance<Polygon>().mapNotNull { polygon ->
-                val contours = polygon.contours.map { contour ->
-                    contour.flatMap { listOf(snapped(it.x), snapped(it.y), Depth.ofUnit(it.z)) }.toIntArray()
-                }
-                val isDrawn = polygon.contours.flatten().all { (it.x + it.y + it.z).isFinite() }
-                if (isDrawn && contours.sumOf { it.size } >= 9) ExactPolygon(contours, polygon.fillRule) else null
-            }
-        }
-
-        private fun snapped(pixels: Double): Int = StrictMath.floor(256.0 * pixels + 0.5).toInt()
-
-        private fun outlines(surfaces: List<Any>): List<Pair<List<List<Vector3dc>>, FillRule>> =
-            surfaces.flatMap { surface ->
-                when (surface) {
-                    is Polygon -> listOf(
-                        surface.contours.map { contour -> contour.map { Vector3d(it.x, it.y, it.z) } } to
-                            surface.fillRule,
-                    )
-
-                    is Mesh -> surface.triangles.toList().chunked(3).map { triangle ->
-                        val corners = triangle.map {
-                            val p = surface.positions
-                            Vector3d(p[3 * it].toDouble(), p[3 * it + 1].toDouble(), p[3 * it + 2].toDouble())
-                                .add(surface.origin)
-                        }
-                        listOf(corners) to FillRule.NON_ZERO
-                    }
-
-                    else -> emptyList()
-                }
-            }
-
-        private fun flat(polygons: List<ExactPolygon>): List<CorpusShape> =
-            polygons.mapIndexed { i, it -> CorpusPolygon(it, CorpusColor.of(i)) }
-
-        /** The first three vertices of each polygon, in one colour. */
-        private fun triangles(polygons: List<ExactPolygon>): List<CorpusShape> = flat(polygons.map(::triangle))
-
-        private fun triangle(polygon: ExactPolygon): ExactPolygon {
-            val all = polygon.contours.flatMap { it.asIterable() }
-            return ExactPolygon(listOf(all.take(9).toIntArray()), FillRule.NON_ZERO)
-        }
-
-        /** The same triangles with a colour at each vertex; w is 1, or 1 to [most]. */
-        private fun mixed(polygons: List<ExactPolygon>, most: Int): List<CorpusShape> = polygons.mapIndexed { i, it ->
-            val corners = List(3) { corner -> CorpusColor.of(i, corner + 1) }
-            val ws = List(3) { corner -> 1 + Tint.hash(i, corner, 1, 0) % most }
-            CorpusPolygon(triangle(it), CorpusColor.of(i), corners, ws)
-        }
-
-        /** Three of four polygons are translucent. */
-        private fun glass(polygons: List<ExactPolygon>): List<CorpusShape> = polygons.mapIndexed { i, it ->
-            val alpha = if (i % 4 == 3) 255 else listOf(128, 64, 230)[i % 4]
-            CorpusPolygon(it, CorpusColor.of(i, alpha = alpha))
-        }
-
-        /** A point, a line or a sphere at the first vertices of each polygon, near the raster. */
-        private fun around(
-            polygons: List<ExactPolygon>,
-            shape: (x: List<Int>, size: Int, color: CorpusColor) -> CorpusShape,
-        ): List<CorpusShape> = polygons.mapIndexed { i, it ->
-            val numbers = it.contours.first().toList()
-            shape(numbers.map { number -> number.coerceIn(-NEAR, NEAR) }, Tint.hash(i, 2, 0, 0), CorpusColor.of(i))
-        }
-
-        /** In grid steps: 30 pixels. */
-        private const val NEAR = 30 * 256
-
-        private fun points(polygons: List<ExactPolygon>) = around(polygons) { numbers, size, color ->
-            CorpusPoint(numbers[0], numbers[1], size % 16 / 16f, 128 + size % 900, color)
-        }
-
-        private fun lines(polygons: List<ExactPolygon>) = around(polygons) { numbers, size, color ->
-            val ends = listOf(numbers[0], numbers[1], numbers[3], numbers[4])
-            CorpusLine(ends, listOf(size % 16 / 16f, size / 16 % 16 / 16f), 128 + size / 256 % 500, color)
-        }
-
-        private fun spheres(polygons: List<ExactPolygon>) = around(polygons) { numbers, size, color ->
-            CorpusSphere(numbers[0], numbers[1], 20 * 256 + size % 2560, 512 + size / 4096 % 2048, color)
-        }
 
         private fun rule(name: String, intent: String, look: String, vararg about: Symptom) =
             SuiteRule("rule_$name", Rule(intent = intent, look = look, about = arrayOf(*about), tries = SCENES))
@@ -196,7 +97,8 @@ internal class CorpusGroup private constructor(
                     "Compare the position of samples, at the centres of pixels, and which way rows are counted.",
                     Symptom.COVERAGE,
                 ),
-                mix(FrameKind.SCATTERED, FrameKind.ON_CORNERS, FrameKind.TINY).counted(1, 2), shapes = ::triangles,
+                mix(FrameKind.SCATTERED, FrameKind.ON_CORNERS, FrameKind.TINY).counted(1, 2),
+                shapes = CorpusShapes::triangles,
             ),
             CorpusGroup(
                 rule(
@@ -205,7 +107,7 @@ internal class CorpusGroup private constructor(
                     Symptom.COVERAGE,
                 ),
                 mix(FrameKind.SHARED_EDGES, FrameKind.ON_SAMPLES), needs = setOf(FrameTrait.MEETING),
-                shapes = ::triangles,
+                shapes = CorpusShapes::triangles,
             ),
             CorpusGroup(
                 rule(
@@ -213,7 +115,7 @@ internal class CorpusGroup private constructor(
                     "Compare the depth test, and at which point depth is computed.", Symptom.ORDER,
                 ),
                 mix(FrameKind.INTERPENETRATING, FrameKind.LAYERED, FrameKind.SHARED_EDGES),
-                needs = setOf(FrameTrait.HIDDEN, FrameTrait.SEVERAL_VISIBLE), shapes = ::triangles,
+                needs = setOf(FrameTrait.HIDDEN, FrameTrait.SEVERAL_VISIBLE), shapes = CorpusShapes::triangles,
             ),
             CorpusGroup(
                 rule(
@@ -221,7 +123,8 @@ internal class CorpusGroup private constructor(
                     "Compare whether equal depth passes the test, and whether the order of primitives is kept.",
                     Symptom.TIE,
                 ),
-                mix(FrameKind.COINCIDENT, FrameKind.COPLANAR), needs = setOf(FrameTrait.TIE), shapes = ::triangles,
+                mix(FrameKind.COINCIDENT, FrameKind.COPLANAR), needs = setOf(FrameTrait.TIE),
+                shapes = CorpusShapes::triangles,
             ),
             CorpusGroup(
                 rule(
@@ -230,7 +133,7 @@ internal class CorpusGroup private constructor(
                     Symptom.DEPTH_TEST, Symptom.BACKGROUND,
                 ),
                 mix(FrameKind.COPLANAR, FrameKind.INTERPENETRATING, FrameKind.SHARED_EDGES), isPlain = false,
-                shapes = ::triangles,
+                shapes = CorpusShapes::triangles,
             ),
             CorpusGroup(
                 rule(
@@ -251,14 +154,14 @@ internal class CorpusGroup private constructor(
                     "3_6_colors", "Colours change evenly between the vertices of a triangle.",
                     "Compare where colours are evaluated, and the encoding as sRGB.", Symptom.COLOR,
                 ),
-                mix(FrameKind.SCATTERED, FrameKind.SHARED_EDGES), shapes = { mixed(it, 1) },
+                mix(FrameKind.SCATTERED, FrameKind.SHARED_EDGES), shapes = { CorpusShapes.mixed(it, 1) },
             ),
             CorpusGroup(
                 rule(
                     "3_6_perspective", "Colours are divided by w at the vertices, and multiplied at the sample.",
                     "Compare the weights: each edge function divided by w, then divided by their sum.", Symptom.COLOR,
                 ),
-                mix(FrameKind.SCATTERED, FrameKind.LAYERED), shapes = { mixed(it, 8) },
+                mix(FrameKind.SCATTERED, FrameKind.LAYERED), shapes = { CorpusShapes.mixed(it, 8) },
             ),
             CorpusGroup(
                 rule(
@@ -296,14 +199,14 @@ internal class CorpusGroup private constructor(
                     Symptom.TRANSLUCENT,
                 ),
                 mix(FrameKind.LAYERED, FrameKind.INTERPENETRATING, FrameKind.COPLANAR).counted(2, 8),
-                needs = setOf(FrameTrait.TRANSLUCENT), shapes = ::glass,
+                needs = setOf(FrameTrait.TRANSLUCENT), shapes = CorpusShapes::glass,
             ),
             CorpusGroup(
                 rule(
                     "2_9_points", "A point is a square around its vertex, with one depth.",
                     "Compare the ends of the square: the left and upper side belong to it.", Symptom.COVERAGE,
                 ),
-                mix(FrameKind.SCATTERED, FrameKind.ON_SAMPLES), shapes = ::points,
+                mix(FrameKind.SCATTERED, FrameKind.ON_SAMPLES), shapes = CorpusShapes::points,
             ),
             CorpusGroup(
                 rule(
@@ -311,14 +214,14 @@ internal class CorpusGroup private constructor(
                     "Compare the run from the first to the last sample of the quad and of the squares at the ends.",
                     Symptom.COVERAGE,
                 ),
-                mix(FrameKind.SCATTERED, FrameKind.ON_SAMPLES), shapes = ::lines,
+                mix(FrameKind.SCATTERED, FrameKind.ON_SAMPLES), shapes = CorpusShapes::lines,
             ),
             CorpusGroup(
                 rule(
                     "2_6_spheres", "A sphere has its own outline and depth at each sample.",
                     "Compare the depth of the front half: that of the centre minus the height.", Symptom.COVERAGE,
                 ),
-                mix(FrameKind.SCATTERED, FrameKind.ON_SAMPLES), shapes = ::spheres,
+                mix(FrameKind.SCATTERED, FrameKind.ON_SAMPLES), shapes = CorpusShapes::spheres,
             ),
         )
     }

@@ -7,8 +7,8 @@ import dev.lazyz.Raster
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.oracle.covers
 import dev.lazyz.conformance.oracle.fragments
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 
 /**
  * A scene that a program in any language can draw: a raster, and primitives on the contract's grid. All numbers are

@@ -4,7 +4,7 @@ import dev.lazyz.Depth
 import dev.lazyz.Raster
 import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.geometry.FillRule
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import java.math.BigDecimal
 import java.math.BigInteger
 import java.math.MathContext

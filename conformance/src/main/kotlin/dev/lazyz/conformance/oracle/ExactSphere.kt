@@ -3,8 +3,8 @@ package dev.lazyz.conformance.oracle
 import dev.lazyz.Depth
 import dev.lazyz.Raster
 import dev.lazyz.Raster.DepthConvention
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Sphere

@@ -7,8 +7,8 @@ import dev.lazyz.spi.BatchShader
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.spi.Shader
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Texture

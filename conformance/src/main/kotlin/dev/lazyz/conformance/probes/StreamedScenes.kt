@@ -17,8 +17,8 @@ import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.geometry.Box
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.surface.Mesh

@@ -94,7 +94,8 @@ internal class ReportFiles(private val report: ConformanceReport, private val fo
         val IMPORTS = listOf(
             "dev.lazyz.*", "dev.lazyz.Raster.DepthConvention", "dev.lazyz.conformance.SuiteFrames",
             "dev.lazyz.conformance.cases.*", "dev.lazyz.conformance.frames.*", "dev.lazyz.geometry.*",
-            "dev.lazyz.setup.*", "dev.lazyz.spi.*", "dev.lazyz.world.*", "dev.lazyz.world.Light.Falloff",
+            "dev.lazyz.setup.*", "dev.lazyz.spi.*", "dev.lazyz.world.*", "dev.lazyz.world.camera.*",
+            "dev.lazyz.world.light.*", "dev.lazyz.world.light.Light.Falloff",
             "dev.lazyz.world.material.*", "dev.lazyz.world.material.Material.*",
             "dev.lazyz.world.material.Texture.MipFilter",
             "dev.lazyz.world.material.TextureMap.UvTransform", "dev.lazyz.world.surface.*",

@@ -7,7 +7,7 @@ import dev.lazyz.conformance.rules.UseRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.NoSuchFileException

@@ -22,11 +22,12 @@ import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.geometry.FillRule
-import dev.lazyz.scenes.scenefile.SceneFile
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.shared.NotByDefault
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.surface.Polygon
@@ -76,7 +77,7 @@ class SceneFileFramesTest {
 
     private fun assertSame(case: FrameCase) {
         val text = case.sceneFile() ?: return
-        val loaded = SceneFile.parse(text)
+        val loaded = Scenes.load(text.byteInputStream(), SceneFormat.SCENE)
         val size = checkNotNull(loaded.size)
         val frame = loaded.scene.frame(loaded.raster(size.width, size.height)).within(case.frame.region)
         assertEquals("${case.frame.raster}", "${frame.raster}")

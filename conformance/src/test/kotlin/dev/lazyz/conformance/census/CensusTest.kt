@@ -13,11 +13,11 @@ import dev.lazyz.conformance.cases.changed.Cutting
 import dev.lazyz.conformance.frames.Plate
 import dev.lazyz.conformance.frames.screen.screenCase
 import dev.lazyz.setup.FrameBuilder
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Light
-import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.Light.Falloff
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading

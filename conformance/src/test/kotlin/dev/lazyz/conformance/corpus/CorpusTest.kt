@@ -4,8 +4,8 @@ import dev.lazyz.conformance.assertSamePicture
 import dev.lazyz.conformance.census.Census
 import dev.lazyz.conformance.census.FrameTrait
 import dev.lazyz.conformance.oracle.ReferenceRenderer
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Polygon

@@ -2,7 +2,7 @@ package dev.lazyz.conformance.fuzz
 
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.mutants.wrappers.BasicMistakes
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.strategies.hierarchical.HierarchicalRenderer
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import java.nio.file.Path

@@ -1,7 +1,7 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.conformance.mutants.wrappers.Inside
-import dev.lazyz.world.Environment
+import dev.lazyz.world.light.Environment
 import org.joml.Vector3d
 
 /**

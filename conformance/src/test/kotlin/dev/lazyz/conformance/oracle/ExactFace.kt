@@ -1,7 +1,7 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.Raster
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import org.joml.Vector3d
 
 /**

@@ -1,11 +1,11 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.Rgba
-import dev.lazyz.world.AmbientVisibility
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Light
-import dev.lazyz.world.Light.Falloff
-import dev.lazyz.world.Projection
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
+import dev.lazyz.world.light.AmbientVisibility
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.Light.Falloff
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading

@@ -13,8 +13,8 @@ import dev.lazyz.geometry.FillRule
 import dev.lazyz.shared.NotByDefault
 import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points

@@ -1,8 +1,8 @@
 package dev.lazyz.conformance.oracle
 
 import dev.lazyz.Raster
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import dev.lazyz.world.surface.Sphere
 import org.joml.Vector3d
 

@@ -14,8 +14,8 @@ import dev.lazyz.conformance.mutants.wrappers.ShadingMistakes
 import dev.lazyz.shared.NotByDefault
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Spans
-import dev.lazyz.world.Environment
-import dev.lazyz.world.Light
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Texture.MipFilter

@@ -1,6 +1,6 @@
 package dev.lazyz.conformance.oracle
 
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.light.ToneMapping
 
 /** Exposure and tone curves as contract rule 6.11 defines them, in double precision. */
 internal class ExactToneMapping(private val mapping: ToneMapping) {

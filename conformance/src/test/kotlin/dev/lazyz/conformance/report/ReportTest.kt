@@ -12,7 +12,7 @@ import dev.lazyz.conformance.mutants.wrappers.PromiseMistakes
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.Waivers
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import java.io.ByteArrayInputStream
 import java.nio.file.Path
 import java.util.Base64

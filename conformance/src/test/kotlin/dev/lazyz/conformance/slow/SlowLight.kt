@@ -2,10 +2,10 @@ package dev.lazyz.conformance.slow
 
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.slow.SlowRenderer.Companion.parts
-import dev.lazyz.world.Environment
-import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Lobes
 import org.joml.Vector3dc
 

@@ -7,12 +7,12 @@ import dev.lazyz.conformance.slow.SlowRenderer.Filter
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter
 import dev.lazyz.strategies.tiled.TiledRenderer
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
-import dev.lazyz.world.Light
-import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.Light.Falloff
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode

@@ -1,7 +1,7 @@
 package dev.lazyz.shading.light
 
-import dev.lazyz.world.Light
-import dev.lazyz.world.Light.Falloff
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.Light.Falloff
 import kotlin.math.sqrt
 import org.joml.Vector3dc
 

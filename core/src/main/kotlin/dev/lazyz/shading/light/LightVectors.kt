@@ -1,7 +1,7 @@
 package dev.lazyz.shading.light
 
 import dev.lazyz.spi.FragmentBatch
-import dev.lazyz.world.AmbientVisibility
+import dev.lazyz.world.light.AmbientVisibility
 
 /**
  * The unit vectors that light depends on, for many fragments at a time: normals, and the directions to the viewer and

@@ -1,7 +1,7 @@
 package dev.lazyz.shading.light
 
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import kotlin.math.sqrt
 
 /** The directions that light depends on, at each point of a scene. Immutable and thread safe. */

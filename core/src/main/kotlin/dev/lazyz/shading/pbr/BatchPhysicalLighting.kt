@@ -6,7 +6,7 @@ import dev.lazyz.shading.light.Loops
 import dev.lazyz.shading.light.Viewer
 import dev.lazyz.shading.light.hasNumbers
 import dev.lazyz.spi.FragmentBatch
-import dev.lazyz.world.AmbientVisibility
+import dev.lazyz.world.light.AmbientVisibility
 import kotlin.math.abs
 import kotlin.math.sqrt
 

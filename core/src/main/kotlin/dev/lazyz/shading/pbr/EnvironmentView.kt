@@ -1,8 +1,8 @@
 package dev.lazyz.shading.pbr
 
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
-import dev.lazyz.world.Surroundings
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.Surroundings
 
 /**
  * An environment as placed around a scene: upright, the studio with its front on the side of the camera. Immutable and

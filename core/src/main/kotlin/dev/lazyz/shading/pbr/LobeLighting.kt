@@ -2,7 +2,7 @@ package dev.lazyz.shading.pbr
 
 import dev.lazyz.shading.light.LightSources
 import dev.lazyz.shading.light.Viewer
-import dev.lazyz.world.AmbientVisibility
+import dev.lazyz.world.light.AmbientVisibility
 import kotlin.math.abs
 
 /**

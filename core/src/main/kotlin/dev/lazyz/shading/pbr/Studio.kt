@@ -1,7 +1,7 @@
 package dev.lazyz.shading.pbr
 
-import dev.lazyz.world.Irradiance
-import dev.lazyz.world.Surroundings
+import dev.lazyz.world.light.Irradiance
+import dev.lazyz.world.light.Surroundings
 import kotlin.math.sqrt
 
 /**

@@ -2,12 +2,11 @@ package dev.lazyz.world.surface
 
 import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
-import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.Extent
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
 import dev.lazyz.world.material.Material
 import java.util.function.UnaryOperator
-import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
@@ -18,7 +17,7 @@ import org.joml.Vector3dc
  * need to know of a surface, they ask it: [material], [origin], [pixelSize], [setUpBytes].
  * Implementations must be immutable and thread safe.
  */
-public interface Surface {
+public interface Surface : Extent {
     /**
      * The name of the part that this surface shows, or an empty text. Loaders give the path of names in the file, with
      * `/` between them, from the outermost to the innermost: `car/front axle/wheel`. Several surfaces can have the same
@@ -43,19 +42,6 @@ public interface Surface {
 
     /** About how many bytes [primitives] take; by default those of a single primitive. */
     public val setUpBytes: Long get() = HeapLayout.SHAPE
-
-    /** A box around the surface, or null if it is empty. */
-    public val bounds: Box?
-
-    /**
-     * Returns the point of the surface that is farthest along [direction]: the one whose dot product with it is
-     * greatest; one of them if there are several, or null if the surface is empty. World space; a new vector for each
-     * call. [direction] has any length above 0.
-     *
-     * A fitted camera calls it some 30 times, see `Camera.fit`. A surface that does not override this function is
-     * fitted by its [bounds], so it can look smaller than it could.
-     */
-    public fun farthest(direction: Vector3dc): Vector3d? = bounds?.farthest(direction)
 
     /**
      * Returns the primitives of the surface in submission order, set up for one raster and camera.

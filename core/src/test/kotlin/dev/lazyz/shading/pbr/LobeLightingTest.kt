@@ -4,17 +4,17 @@ import dev.lazyz.Checkpoint
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.Workers
+import dev.lazyz.setup.SceneSetUp
 import dev.lazyz.spi.Fragment
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
-import dev.lazyz.world.Light
-import dev.lazyz.world.SceneLight
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.SceneLight
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.surface.SetUp
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -50,7 +50,8 @@ class LobeLightingTest {
         fragment.tangentY = tangent.y.toFloat()
         fragment.tangentZ = tangent.z.toFloat()
         fragment.tangentW = -1f
-        SetUp(Raster(1, 1), camera, light, Vector3d(), Workers.ALL, Checkpoint.NONE).shader(material).shade(fragment)
+        SceneSetUp(Raster(1, 1), camera, light, Vector3d(), Workers.ALL, Checkpoint.NONE)
+            .shader(material).shade(fragment)
         return Rgba(fragment.red, fragment.green, fragment.blue, fragment.alpha)
     }
 

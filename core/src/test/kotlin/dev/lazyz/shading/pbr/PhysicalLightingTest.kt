@@ -4,17 +4,17 @@ import dev.lazyz.Checkpoint
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.Workers
+import dev.lazyz.setup.SceneSetUp
 import dev.lazyz.spi.Fragment
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
-import dev.lazyz.world.Light
-import dev.lazyz.world.Light.Falloff
-import dev.lazyz.world.SceneLight
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.Light.Falloff
+import dev.lazyz.world.light.SceneLight
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.surface.SetUp
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -33,7 +33,8 @@ class PhysicalLightingTest {
         fragment.normalX = 2f * normal.x.toFloat()
         fragment.normalY = 2f * normal.y.toFloat()
         fragment.normalZ = 2f * normal.z.toFloat()
-        SetUp(Raster(1, 1), camera, light, Vector3d(), Workers.ALL, Checkpoint.NONE).shader(material).shade(fragment)
+        SceneSetUp(Raster(1, 1), camera, light, Vector3d(), Workers.ALL, Checkpoint.NONE)
+            .shader(material).shade(fragment)
         return Rgba(fragment.red, fragment.green, fragment.blue)
     }
 

@@ -1,7 +1,7 @@
 package dev.lazyz.shading.pbr
 
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Environment
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals

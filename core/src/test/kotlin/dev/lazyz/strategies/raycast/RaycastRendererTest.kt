@@ -18,8 +18,8 @@ import dev.lazyz.strategies.Stacks
 import dev.lazyz.strategies.Submission
 import dev.lazyz.strategies.lists.ListsRenderer
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Mesh
 import java.util.Random

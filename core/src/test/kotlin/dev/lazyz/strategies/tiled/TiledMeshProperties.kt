@@ -16,9 +16,9 @@ import dev.lazyz.spi.Shader
 import dev.lazyz.spi.Srgb
 import dev.lazyz.strategies.lists.ListsRenderer
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading

@@ -2,8 +2,8 @@ package dev.lazyz.world.material
 
 import dev.lazyz.Primitive
 import dev.lazyz.spi.Fragment
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Mesh

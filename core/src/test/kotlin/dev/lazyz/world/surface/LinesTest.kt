@@ -1,5 +1,6 @@
 package dev.lazyz.world.surface
 
+import dev.lazyz.setup.setUp
 import dev.lazyz.Depth
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
@@ -8,7 +9,7 @@ import dev.lazyz.SampleScenes
 import dev.lazyz.SampleSet
 import dev.lazyz.samples
 import dev.lazyz.spi.Fragment
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
@@ -21,7 +22,7 @@ import org.junit.jupiter.api.Test
 /** Contract rule 2.10: lines. */
 class LinesTest {
     private val raster = Raster(24, 18)
-    private val onScreen = SetUp(raster, Camera.screen(), emptyList())
+    private val onScreen = setUp(raster, Camera.screen(), emptyList())
 
     private fun line(
         from: Vector3d,
@@ -56,7 +57,7 @@ class LinesTest {
         val place = Material(shader = { it.setColor(it.worldX, it.worldZ, it.vertexRed, it.vertexAlpha) })
         val ends = floatArrayOf(-0.5f, 0f, 0.5f, 2f, 0f, -9f)
         val colors = floatArrayOf(0f, 0f, 0f, 0.5f, 1f, 0f, 0f, 0.5f)
-        val setUp = SetUp(Raster(100, 100), camera, emptyList())
+        val setUp = setUp(Raster(100, 100), camera, emptyList())
         val line = setUp.lines(Lines(ends, intArrayOf(0, 1), 1.0, place, colors)).single()
         val samples = line.samples(Raster(100, 100))
         val fragment = Fragment()

@@ -8,9 +8,10 @@ import dev.lazyz.SampleScenes
 import dev.lazyz.SampleSet
 import dev.lazyz.samples
 import dev.lazyz.samplesByCursor
+import dev.lazyz.setup.setUp
 import dev.lazyz.spi.Fragment
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Light
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
@@ -28,7 +29,7 @@ import org.junit.jupiter.api.Test
 /** Contract rule 2.9: points. */
 class PointsTest {
     private val raster = Raster(16, 12)
-    private val onScreen = SetUp(raster, Camera.screen(), emptyList())
+    private val onScreen = setUp(raster, Camera.screen(), emptyList())
 
     private fun point(x: Double, y: Double, z: Double, size: Double, material: Material = Material()): Primitive =
         onScreen.points(Points(floatArrayOf(x.toFloat(), y.toFloat(), z.toFloat()), size, material)).single()
@@ -80,7 +81,7 @@ class PointsTest {
         for (shading in Shading.entries) {
             val material = Material(Rgba(0.5f, 0.4f, 0.3f), null, shading, Rgba.WHITE, 5)
             val camera = SampleScenes.camera
-            val setUp = SetUp(Raster(64, 64), camera, listOf(light))
+            val setUp = setUp(Raster(64, 64), camera, listOf(light))
             val sphere = setUp.sphere(Sphere(Vector3d(), 1.0, material))
             val seen = Fragment().also { it.moveTo(30, 30) }
             sphere.shade(seen)
@@ -97,7 +98,7 @@ class PointsTest {
     fun rule_6_7_ofOneSidedPointsThoseTurnedAwayCoverNothing() {
         val positions = FloatArray(9)
         val normals = floatArrayOf(0f, 0f, 1f, 0f, 0f, -1f, 0f, 0f, 0f)
-        val setUp = SetUp(raster, SampleScenes.camera, emptyList())
+        val setUp = setUp(raster, SampleScenes.camera, emptyList())
         fun sizes(sides: Sides) =
             setUp.points(Points(positions, 1.0, Material(sides = sides), normals)).map {
                 it.samples(raster).size

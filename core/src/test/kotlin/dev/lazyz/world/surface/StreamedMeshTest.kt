@@ -14,8 +14,8 @@ import dev.lazyz.strategies.hierarchical.HierarchicalRenderer
 import dev.lazyz.strategies.hybrid.HybridRenderer
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.surface.StreamedMesh.MeshSource

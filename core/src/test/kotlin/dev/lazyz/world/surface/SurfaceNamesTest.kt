@@ -9,8 +9,8 @@ import dev.lazyz.sections.Section
 import dev.lazyz.sections.SectionPlane
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Polygon.Vertex
 import org.joml.Matrix4d

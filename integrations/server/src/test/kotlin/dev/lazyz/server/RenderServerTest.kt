@@ -4,9 +4,9 @@ import dev.lazyz.Raster
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import java.io.ByteArrayInputStream
 import java.io.IOException
 import java.util.concurrent.ConcurrentLinkedQueue

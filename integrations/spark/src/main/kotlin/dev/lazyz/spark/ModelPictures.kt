@@ -2,8 +2,8 @@ package dev.lazyz.spark
 
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.formats.ModelArchive
 import dev.lazyz.scenes.pictures.PictureParameters
-import dev.lazyz.scenes.zip.ModelArchive
 import dev.lazyz.spark.models.ContactSheets
 import dev.lazyz.spark.models.ModelPicture
 import dev.lazyz.spark.models.PictureColumns

@@ -71,8 +71,8 @@ public enum class SortedShading {
  * rule 5.1); so partitions, their order, failures and repeated tasks have no effect on the picture.
  *
  * A fitted camera needs about 30 jobs over all triangles, when it is first needed. Cache the Dataset, or give the scene
- * a [dev.lazyz.world.Camera], which needs one. Memory of a task: 131,072 triangles, which take some 50 MB while they
- * are drawn, and for [SortOrder.LAST] bands at 12 bytes a sample, up to a fifth of the heap for all tasks of an
+ * a [dev.lazyz.world.camera.Camera], which needs one. Memory of a task: 131,072 triangles, which take some 50 MB while
+ * they are drawn, and for [SortOrder.LAST] bands at 12 bytes a sample, up to a fifth of the heap for all tasks of an
  * executor. Thread safe.
  *
  * @param triangles a table of triangles

@@ -4,11 +4,11 @@ import dev.lazyz.Image
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.scenes.writers.toPng
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import java.nio.ByteBuffer
 import java.nio.file.Path
 import org.apache.spark.sql.Dataset

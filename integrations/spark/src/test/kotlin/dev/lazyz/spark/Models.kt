@@ -1,6 +1,6 @@
 package dev.lazyz.spark
 
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.world.surface.Mesh
 import java.nio.ByteBuffer
 import java.nio.ByteOrder

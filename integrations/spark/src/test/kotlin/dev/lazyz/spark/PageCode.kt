@@ -3,7 +3,7 @@ package dev.lazyz.spark
 import dev.lazyz.Raster
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.UpAxis
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.spark.pictures.DistributedPicture
 import dev.lazyz.world.Scene
 import java.nio.file.Path

@@ -8,13 +8,13 @@ import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.writers.toPng
 import dev.lazyz.spark.triangles.SerializableCamera
 import dev.lazyz.spark.triangles.TriangleScene
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.surface.Mesh

@@ -3,11 +3,11 @@ package dev.lazyz.swing
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.world.Scene
-import dev.lazyz.world.View
+import dev.lazyz.world.camera.View
 import java.awt.Color
 import java.awt.Dimension
 import java.awt.Graphics

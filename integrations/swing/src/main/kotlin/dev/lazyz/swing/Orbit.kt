@@ -3,9 +3,9 @@ package dev.lazyz.swing
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
-import dev.lazyz.world.Camera
-import dev.lazyz.world.FittedViewpoint
-import dev.lazyz.world.Projection
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint
+import dev.lazyz.world.camera.Projection
 import java.awt.geom.Point2D
 import kotlin.math.abs
 import kotlin.math.atan2

@@ -11,7 +11,7 @@ import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.pictures.PictureStyle
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.strategies.tiled.TiledRenderer
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.surface.Mesh
 import java.awt.image.BufferedImage
 import java.awt.image.DataBufferInt

@@ -3,12 +3,12 @@ package dev.lazyz.swing
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.Backdrop
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.strategies.tiled.TiledRenderer
-import dev.lazyz.world.View
+import dev.lazyz.world.camera.View
 import java.awt.GraphicsConfiguration
 import java.awt.Rectangle
 import java.awt.event.ActionEvent

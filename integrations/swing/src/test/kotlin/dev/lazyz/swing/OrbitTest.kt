@@ -2,11 +2,11 @@ package dev.lazyz.swing
 
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.PictureSettings
-import dev.lazyz.world.Camera
-import dev.lazyz.world.FittedViewpoint.Fit
-import dev.lazyz.world.View
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint.Fit
+import dev.lazyz.world.camera.View
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -2,7 +2,7 @@ package dev.lazyz.swing
 
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.spi.Shader

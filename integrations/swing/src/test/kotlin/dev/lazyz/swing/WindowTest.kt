@@ -1,6 +1,6 @@
 package dev.lazyz.swing
 
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.shared.VirtualDisplay
 import dev.lazyz.strategies.tiled.TiledRenderer

@@ -4,7 +4,7 @@ import static dev.lazyz.testing.GoldenAssertions.assertThat;
 
 import dev.lazyz.RenderOptions;
 import dev.lazyz.filter.SuperSampling;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.scenes.writers.Images;
 import dev.lazyz.strategies.tiled.TiledRenderer;
 import org.junit.jupiter.api.Test;

@@ -6,7 +6,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Selector
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.writers.toPng
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer

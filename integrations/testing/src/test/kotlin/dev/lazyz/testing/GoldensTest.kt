@@ -2,7 +2,7 @@ package dev.lazyz.testing
 
 import dev.lazyz.Counters
 import dev.lazyz.Image
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.scenes.writers.toPng
 import java.nio.file.Files

@@ -4,7 +4,7 @@ import dev.lazyz.Rgba;
 import dev.lazyz.jmh.workload.Growing;
 import dev.lazyz.jmh.workload.RoundsShader;
 import dev.lazyz.jmh.workload.Workloads;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.world.Scene;
 import dev.lazyz.world.material.Material;
 import dev.lazyz.world.material.Material.Shading;

@@ -4,7 +4,7 @@ import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadedScene;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.scenes.pictures.PictureFrame;
 import dev.lazyz.scenes.pictures.PictureParameters;
 import dev.lazyz.scenes.pictures.PictureSettings;

@@ -4,7 +4,7 @@ import dev.lazyz.jmh.report.Measurements;
 import dev.lazyz.jmh.report.Options;
 import dev.lazyz.jmh.workload.Triangles;
 import dev.lazyz.jmh.workload.Workloads;
-import dev.lazyz.world.Projection;
+import dev.lazyz.world.camera.Projection;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;

@@ -3,7 +3,7 @@ package dev.lazyz.jmh.peers;
 import dev.lazyz.jmh.workload.Baked;
 import dev.lazyz.jmh.workload.Triangles;
 import dev.lazyz.jmh.workload.Workloads;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.world.Scene;
 import java.io.IOException;
 import java.nio.file.Path;

@@ -9,7 +9,7 @@ import dev.lazyz.filter.SampledFrame;
 import dev.lazyz.filter.SuperSampling;
 import dev.lazyz.filter.SuperSampling.PixelFilter;
 import dev.lazyz.jmh.report.GeneratedPage;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.strategies.tiled.TiledRenderer;
 import dev.lazyz.world.Scene;
 import java.io.IOException;

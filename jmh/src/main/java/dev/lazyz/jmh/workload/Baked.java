@@ -1,8 +1,8 @@
 package dev.lazyz.jmh.workload;
 
 import dev.lazyz.Rgba;
-import dev.lazyz.world.Camera;
 import dev.lazyz.world.Scene;
+import dev.lazyz.world.camera.Camera;
 import dev.lazyz.world.material.Material;
 import dev.lazyz.world.surface.Mesh;
 import dev.lazyz.world.surface.Polygon;

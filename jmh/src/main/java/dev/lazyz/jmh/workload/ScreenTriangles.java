@@ -1,6 +1,6 @@
 package dev.lazyz.jmh.workload;
 
-import dev.lazyz.world.Camera;
+import dev.lazyz.world.camera.Camera;
 import java.util.Arrays;
 import org.joml.Vector3d;
 

@@ -1,11 +1,11 @@
 package dev.lazyz.jmh.workload;
 
 import dev.lazyz.Rgba;
-import dev.lazyz.world.Camera;
-import dev.lazyz.world.Light;
-import dev.lazyz.world.Projection;
 import dev.lazyz.world.Scene;
-import dev.lazyz.world.Viewpoint;
+import dev.lazyz.world.camera.Camera;
+import dev.lazyz.world.camera.Projection;
+import dev.lazyz.world.camera.Viewpoint;
+import dev.lazyz.world.light.Light;
 import dev.lazyz.world.material.Material;
 import dev.lazyz.world.material.Material.Shading;
 import dev.lazyz.world.surface.Mesh;

@@ -1,7 +1,7 @@
 package dev.lazyz.jmh.workload;
 
 import dev.lazyz.scenes.Builtin;
-import dev.lazyz.scenes.Scenes;
+import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.world.Scene;
 import java.util.ArrayList;
 import java.util.List;

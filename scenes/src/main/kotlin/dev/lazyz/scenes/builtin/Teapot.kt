@@ -1,9 +1,9 @@
 package dev.lazyz.scenes.builtin
 
 import dev.lazyz.Rgba
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Light
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Mesh

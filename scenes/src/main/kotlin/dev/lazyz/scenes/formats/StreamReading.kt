@@ -6,6 +6,7 @@ import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.StreamedScene
+import dev.lazyz.scenes.loading.FileBytes
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.obj.ObjStreaming
@@ -23,7 +24,7 @@ internal object StreamReading {
     /** Opens a file of the given format, or of the format detected from its content if [format] is null. */
     fun open(path: Path, format: SceneFormat?, limits: LoadLimits, spool: Path): StreamedScene {
         val name = path.toString()
-        SceneReading.requireFile(path, name)
+        FileBytes.requireFile(path, name)
         return opened(name, format, limits) { StreamedInput.ofFile(path, name, spool, limits.spoolBytes) }
     }
 
@@ -42,7 +43,7 @@ internal object StreamReading {
         try {
             val head = input.head()
             val source = Source(head, name, null, loading)
-            SceneReading.requireContent(source)
+            source.requireContent()
             val known = format ?: FormatSniffer.format(head, input.file.size)
             val triangles = when (known) {
                 SceneFormat.STL -> StlStreaming.open(source, input)
@@ -59,6 +60,6 @@ internal object StreamReading {
     } catch (e: SceneFormatException) {
         throw e
     } catch (e: IOException) {
-        throw SceneReading.unreadable(name, e)
+        throw FileBytes.unreadable(name, e)
     }
 }

@@ -5,8 +5,8 @@ import dev.lazyz.scenes.gltf.document.CameraJson
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.geometry.PlacedNode
 import dev.lazyz.scenes.printable
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import org.joml.Matrix4dc
 import org.joml.Vector3d
 

@@ -5,9 +5,9 @@ import dev.lazyz.geometry.Box
 import dev.lazyz.scenes.gltf.document.ExtensionValues
 import dev.lazyz.scenes.gltf.document.GltfDocument
 import dev.lazyz.scenes.gltf.geometry.PlacedNode
-import dev.lazyz.world.Light
-import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.Light.Falloff
 import org.joml.Vector3d
 
 /**

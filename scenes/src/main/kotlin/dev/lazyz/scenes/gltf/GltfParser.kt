@@ -21,8 +21,8 @@ import dev.lazyz.scenes.gltf.materials.GltfMaterials
 import dev.lazyz.scenes.gltf.materials.GltfTextures
 import dev.lazyz.scenes.loading.SceneParser
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.Environment
 import dev.lazyz.world.Scene
+import dev.lazyz.world.light.Environment
 
 /**
  * Reads glTF 2.0, as JSON (`.gltf`) or as one binary file (`.glb`). The content decides which of the two it is (Khronos

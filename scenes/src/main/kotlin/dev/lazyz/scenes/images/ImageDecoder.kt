@@ -1,5 +1,6 @@
 package dev.lazyz.scenes.images
 
+import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.loading.FileReferences
 import dev.lazyz.scenes.loading.Loading
@@ -171,6 +172,14 @@ internal object TextureFiles {
             ByteArray(0)
         },
     )
+
+    /** Returns the image in the file [path] as a texture. */
+    fun read(path: Path, limits: LoadLimits): Texture {
+        val source = Source.ofFile(path, limits)
+        return decode(source, source.bytes, path.fileName.toString())
+            ?: refusal(source.bytes)?.let { source.fail(null, "cannot be decoded: it is $it") }
+            ?: source.fail(null, "is not an image that can be read", "save it as PNG or JPEG")
+    }
 
     /**
      * Returns the image in [bytes], which [source] contains or refers to, as a texture called [name]; null if it

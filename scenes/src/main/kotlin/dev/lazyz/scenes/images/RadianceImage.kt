@@ -1,11 +1,13 @@
 package dev.lazyz.scenes.images
 
 import dev.lazyz.RenderOptions
+import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
-import dev.lazyz.world.EnvironmentMap
+import dev.lazyz.world.light.EnvironmentMap
 import java.lang.ref.SoftReference
 import java.nio.ByteBuffer
+import java.nio.file.Path
 import java.security.MessageDigest
 
 /**
@@ -177,6 +179,13 @@ internal class RadianceImage private constructor(private val source: Source) {
         /** Maps that were computed last, by the SHA-256 of what their files have in them. */
         private val kept = LinkedHashMap<ByteBuffer, SoftReference<EnvironmentMap>>()
         private const val MOST_KEPT = 4
+
+        /** Returns the map of the picture in the file [path], and passes warnings to [warn]. */
+        fun read(path: Path, limits: LoadLimits, options: RenderOptions, warn: (String) -> Unit): EnvironmentMap {
+            val source = Source.ofFile(path, limits)
+            source.requireContent()
+            return read(source, options).also { source.warnings.forEach(warn) }
+        }
 
         /** Returns the map of the picture in [source]. Another file with the same bytes gives the same map. */
         fun read(source: Source, options: RenderOptions): EnvironmentMap {

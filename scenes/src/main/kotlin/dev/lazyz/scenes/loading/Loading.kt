@@ -5,7 +5,6 @@ import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Scenes
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Surface
@@ -14,7 +13,7 @@ import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
- * One call of [Scenes.load]: its [options], the amount of each limit that is used so far, and the textures that it
+ * One call of `Scenes.load`: its [options], the amount of each limit that is used so far, and the textures that it
  * has read. All sources of the call share this object. Not thread safe.
  */
 internal class Loading(val options: LoadOptions = LoadOptions()) {

@@ -1,11 +1,12 @@
 package dev.lazyz.scenes.loading
 
 import dev.lazyz.scenes.LengthUnit
+import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.NamedCamera
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneMemoryException
-import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.printable
 import dev.lazyz.world.Scene
 import java.io.ByteArrayInputStream
@@ -22,7 +23,7 @@ import java.nio.file.Path
  * @param bytes the whole file
  * @property name the file's name as the caller gave it
  * @property folder the folder for relative references, or null for a stream, which has no folder
- * @property loading the call of [Scenes.load] that reads this source
+ * @property loading the call of `Scenes.load` that reads this source
  * @param root the folder that references must not lead out of
  */
 internal class Source(
@@ -71,6 +72,11 @@ internal class Source(
         }
     }
 
+    /** Fails if there are no bytes. Parsers need not look. */
+    fun requireContent() {
+        if (bytes.isEmpty()) fail(null, "is empty", "check that it was written completely")
+    }
+
     /** Counts [steps] of work, see [Loading.step]. */
     fun step(steps: Int = 1): Unit = loading.step(this, steps)
 
@@ -100,6 +106,14 @@ internal class Source(
     /** Fails because the memory is too small. */
     fun exhausted(problem: String, remedy: String, cause: Throwable? = null): Nothing =
         throw SceneMemoryException(name, problem, remedy, cause)
+
+    companion object {
+        /** Returns the bytes of a file that refers to no others. */
+        fun ofFile(path: Path, limits: LoadLimits): Source {
+            val loading = Loading(LoadOptions(limits))
+            return Source(FileBytes.of(path, "$path", null, loading), "$path", null, loading)
+        }
+    }
 }
 
 /** A parser of one format. Throws only [SceneFormatException] for bad input. */

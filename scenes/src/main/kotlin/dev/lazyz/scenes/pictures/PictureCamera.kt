@@ -1,6 +1,7 @@
 package dev.lazyz.scenes.pictures
 
 import dev.lazyz.Raster
+import dev.lazyz.geometry.Extent
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.NamedCamera
@@ -19,12 +20,12 @@ import dev.lazyz.scenes.pictures.PictureParameters.STYLE
 import dev.lazyz.scenes.pictures.PictureParameters.TARGET
 import dev.lazyz.scenes.pictures.PictureParameters.VIEW
 import dev.lazyz.scenes.pictures.PictureParameters.ZOOM
-import dev.lazyz.world.Camera
-import dev.lazyz.world.FittedViewpoint
-import dev.lazyz.world.FittedViewpoint.Fit
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Viewpoint
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint
+import dev.lazyz.world.camera.FittedViewpoint.Fit
+import dev.lazyz.world.camera.Projection
+import dev.lazyz.world.camera.Viewpoint
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
@@ -184,9 +185,9 @@ private class PlacedViewpoint(private val base: Viewpoint, private val settings:
     /** Field of view of a camera that stands where the user says, so that it is not fitted, or null. */
     private val fieldOfView = settings[FOV]?.takeIf { chosenEye != null }?.let { narrowed(it, settings[ZOOM]) }
 
-    override fun camera(scene: Scene, aspect: Double): Camera {
+    override fun camera(extent: Extent, aspect: Double): Camera {
         // To fit a camera takes time, and one that is wholly placed needs nothing of it
-        val own by lazy(LazyThreadSafetyMode.NONE) { base.camera(scene, aspect) }
+        val own by lazy(LazyThreadSafetyMode.NONE) { base.camera(extent, aspect) }
         val height = settings[HEIGHT]
         val kind = (base as? FittedViewpoint)?.kind
         val projection = when {
@@ -195,12 +196,12 @@ private class PlacedViewpoint(private val base: Viewpoint, private val settings:
             else -> own.projection
         }
         val eye = chosenEye ?: eye(own)
-        val target = chosenTarget ?: if (chosenEye == null) own.target else scene.bounds?.center ?: own.target
+        val target = chosenTarget ?: if (chosenEye == null) own.target else extent.bounds?.center ?: own.target
         val up = chosenUp ?: own.up
 
         // The distances of the near and the far plane are the chosen ones, or around the scene
         val isMoved = chosenEye != null || chosenTarget != null
-        val (front, back) = if (isMoved) around(scene, projection, eye, target) else own.near to own.far
+        val (front, back) = if (isMoved) around(extent, projection, eye, target) else own.near to own.far
         val near = settings[NEAR] ?: front
         val far = settings[FAR] ?: back
         return when (projection) {
@@ -222,7 +223,7 @@ private class PlacedViewpoint(private val base: Viewpoint, private val settings:
     }
 
     private fun around(
-        scene: Scene,
+        extent: Extent,
         projection: Projection,
         eye: Vector3dc,
         target: Vector3dc,
@@ -230,8 +231,8 @@ private class PlacedViewpoint(private val base: Viewpoint, private val settings:
         // The third row of the view matrix points from the scene to the eye
         val view = Camera.orthographic(eye, target, chosenUp ?: UP, 1.0, 0.0, 1.0).viewMatrix()
         val backward = Vector3d(view.m02(), view.m12(), view.m22())
-        val first = scene.farthest(backward)
-        val last = scene.farthest(Vector3d(-backward.x, -backward.y, -backward.z))
+        val first = extent.farthest(backward)
+        val last = extent.farthest(Vector3d(-backward.x, -backward.y, -backward.z))
         val front = if (first == null) 0.0 else along(backward, eye) - along(backward, first)
         val back = if (last == null) 1.0 else along(backward, eye) - along(backward, last)
 

@@ -12,10 +12,10 @@ import dev.lazyz.scenes.writers.AtomicFile
 import dev.lazyz.scenes.writers.SvgWriter
 import dev.lazyz.sections.Hatching
 import dev.lazyz.strategies.tiled.TiledRenderer
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.surface.Polygon

@@ -19,13 +19,13 @@ import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
-import dev.lazyz.scenes.Scenes
-import dev.lazyz.scenes.formats.SceneReading
+import dev.lazyz.scenes.images.RadianceImage
+import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.spi.ShadingObserver
-import dev.lazyz.world.Camera
-import dev.lazyz.world.EnvironmentMap
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.EnvironmentMap
 import dev.lazyz.world.material.Texture
 import java.io.IOException
 import java.nio.file.Path
@@ -150,7 +150,7 @@ public open class PictureObserver @JvmOverloads constructor(
 
     /** Returns the picture of surroundings in a file. */
     internal fun environment(file: Path, options: RenderOptions): EnvironmentMap = environments.computeIfAbsent(file) {
-        SceneReading.environment(it, limits, options, ::warning)
+        RadianceImage.read(it, limits, options, ::warning)
     }
 
     @Volatile
@@ -161,7 +161,7 @@ public open class PictureObserver @JvmOverloads constructor(
         prepared?.takeIf { it.key == key } ?: PreparedModel(key, make()).also { prepared = it }
 
     /** Returns the image in a file. */
-    internal fun texture(file: Path): Texture = textures.computeIfAbsent(file) { Scenes.texture(it, limits) }
+    internal fun texture(file: Path): Texture = textures.computeIfAbsent(file) { TextureFiles.read(it, limits) }
 
     /** The warnings that were kept. */
     public val warnings: List<String> get() = kept

@@ -14,11 +14,11 @@ import dev.lazyz.scenes.LengthUnit
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.pictures.NamedValues.Companion.list
 import dev.lazyz.scenes.pictures.NamedValues.Companion.words
-import dev.lazyz.world.Camera
-import dev.lazyz.world.FittedViewpoint.Fit
-import dev.lazyz.world.Projection
-import dev.lazyz.world.ToneMapping
-import dev.lazyz.world.View
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint.Fit
+import dev.lazyz.world.camera.Projection
+import dev.lazyz.world.camera.View
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.surface.Points

@@ -7,13 +7,12 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.scenes.Scenes
-import dev.lazyz.world.Camera
-import dev.lazyz.world.FittedViewpoint.Fit
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.View
-import dev.lazyz.world.Viewpoint
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint.Fit
+import dev.lazyz.world.camera.Projection
+import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.Viewpoint
 import dev.lazyz.world.material.Material.Shading
 import java.nio.file.Path
 
@@ -325,7 +324,7 @@ public class PictureSettings private constructor(
 
     /**
      * Sets up the picture of [loaded], which is what `zcli render` renders with these settings, bit for bit, if it was
-     * loaded with [loadOptions]. The [PictureParameters.FORMAT] has no effect here: pass it to [Scenes.load].
+     * loaded with [loadOptions]. The [PictureParameters.FORMAT] has no effect here: pass it to `Scenes.load`.
      *
      * @param options the threads of set-up, see [Scene.frame]
      * @param observer is told what happens

@@ -13,7 +13,6 @@ import dev.lazyz.drawing.FeatureEdges
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.geometry.UpAxis
 import dev.lazyz.lighting.AmbientOcclusion
 import dev.lazyz.lighting.EnvironmentBackground
 import dev.lazyz.lighting.GroundShadow
@@ -23,21 +22,16 @@ import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.sections.SectionPlane
 import dev.lazyz.spi.Shader
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
-import dev.lazyz.world.FittedViewpoint
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneMapping
-import dev.lazyz.world.Viewpoint
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint
+import dev.lazyz.world.camera.Viewpoint
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
-import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter
-import dev.lazyz.world.surface.Lines
-import dev.lazyz.world.surface.Points
-import dev.lazyz.world.surface.Surface
-import java.nio.file.Path
 
 /**
  * The steps from [loaded] to a picture with the [chosen] settings, see [PictureSettings], by threads of [options].
@@ -142,9 +136,9 @@ internal class PictureSteps(
                 observer.warning("$scene: ${observer.name} has no camera, and is shown as a whole")
             }
 
-            prepared = observer.prepared(listOf(loaded.scene, stage, up) + PREPARING.map { settings[it] }) {
+            prepared = observer.prepared(listOf(loaded.scene, stage, up) + PreparedModel.choices(settings)) {
                 val cut = PictureCuts(settings, observer).of(style?.painted(loaded.scene) ?: loaded.scene, planes())
-                shaded(painted(sized(turned(cut, up))))
+                ModelPreparation(settings, observer).prepared(cut, up)
             }
             val shaded = camera.applyTo(prepared.scene, loaded, up, turn)
 
@@ -162,66 +156,6 @@ internal class PictureSteps(
 
     private fun planes(): List<SectionPlane> =
         stage?.planes ?: settings[PictureParameters.CUT].orEmpty().map { it.plane(loaded.scene) }
-
-    private fun turned(scene: Scene, up: UpAxis): Scene = try {
-        scene.withUpAxis(up)
-    } catch (e: UnsupportedOperationException) {
-        throw NoPictureException("${names.of(PictureParameters.UP)}: ${e.message}", e)
-    }
-
-    private fun sized(scene: Scene): Scene {
-        val point = settings[PictureParameters.POINT_SIZE]
-        val line = settings[PictureParameters.LINE_WIDTH]
-        if (point == null && line == null) return scene
-        return scene.withSurfaces(
-            scene.surfaces.map { surface ->
-                when {
-                    surface is Points && point != null -> surface.withSize(point)
-                    surface is Lines && line != null -> surface.withWidth(line)
-                    else -> surface
-                }
-            },
-        )
-    }
-
-    /** Returns [scene] with the chosen colour and texture, which replace those of surfaces and vertices. */
-    private fun painted(scene: Scene): Scene {
-        val color = settings[PictureParameters.COLOR]
-        val texture = settings[PictureParameters.TEXTURE]?.let { texture(it, scene) }
-        if (color == null && texture == null) return scene
-
-        // A custom shader would take precedence
-        val isOpaque = (color == null || color.alpha >= 1f) && texture?.hasAlpha != true
-        val alpha = if (isOpaque) AlphaMode.OPAQUE else AlphaMode.BLEND
-        val surfaces = scene.surfaces.map { surface ->
-            surface.withoutColors().withMaterials { material ->
-                material.withBaseColor(color ?: Rgba.WHITE).withTexture(texture.takeIf { surface.hasUvs(0) })
-                    .withShader(null).withAlphaMode(alpha)
-            }
-        }
-        return scene.withSurfaces(surfaces)
-    }
-
-    private fun texture(file: Path, scene: Scene) = observer.texture(file).also {
-        val name = names.of(PictureParameters.TEXTURE)
-        val bare = scene.surfaces.count { !it.hasUvs(0) }
-        val all = scene.surfaces.size
-        if (bare > 0 && bare == all) refuse("$name: ${observer.name} has no texture coordinates")
-        if (bare > 0) {
-            observer.warning("$bare of $all surfaces have no texture coordinates, so $name has no effect on them")
-        }
-    }
-
-    /** Returns [scene] with the chosen shading. What would take precedence over it is removed. */
-    private fun shaded(scene: Scene): Scene {
-        val shading = settings[PictureParameters.SHADING]
-        val mip = settings[PictureParameters.TEXTURE_FILTER]
-        if (shading == null && mip == null) return scene
-        return scene.withMaterials { material ->
-            val shaded = shading?.let { material.withShading(it).withShader(null).withMetallicRoughness(null) }
-            (shaded ?: material).let { if (mip == null) it else it.withMipFilter(mip) }
-        }
-    }
 
     private fun raster(scene: Scene): Raster {
         val size = settings.orDefault(PictureParameters.SIZE) ?: loaded.size ?: PictureSettings.USUAL_SIZE
@@ -347,29 +281,5 @@ internal class PictureSteps(
             refuse("${names.of(aa, wish.factor)}: $obstacle; use ${names.of(aa, 1)}")
         }
         return (if (obstacle == null) wish else SuperSampling(1, filter)).frame(scene, raster, options)
-    }
-
-    private companion object {
-        /** What can be chosen about the model before a camera sees it, besides its axis. */
-        val PREPARING = PictureParameters.run {
-            listOf(STYLE, CUT, CAP_COLOR, POINT_SIZE, LINE_WIDTH, COLOR, TEXTURE, SHADING, TEXTURE_FILTER)
-        }
-    }
-}
-
-/**
- * A model before a camera sees it. Thread safe.
- *
- * @property key what it was made of
- * @property scene the model, cut, turned so that y points up, and painted
- */
-internal class PreparedModel(val key: List<Any?>, val scene: Scene) {
-    @Volatile
-    private var edges: EdgeDrawing? = null
-
-    /** Returns the edges of [surfaces]. What is known about those of the [scene] is kept. */
-    fun edges(surfaces: List<Surface>, style: EdgeStyle): EdgeDrawing = when {
-        surfaces !== scene.surfaces -> EdgeDrawing(surfaces, style)
-        else -> (edges?.withStyle(style) ?: EdgeDrawing(surfaces, style)).also { edges = it }
     }
 }

@@ -6,8 +6,8 @@ import dev.lazyz.filter.VerticalGradient
 import dev.lazyz.sections.Hatching
 import dev.lazyz.sections.Section
 import dev.lazyz.sections.SectionPlane
-import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.FittedViewpoint.Fit
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import org.joml.Vector3d

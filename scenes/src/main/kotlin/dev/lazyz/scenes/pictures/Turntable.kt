@@ -2,13 +2,13 @@ package dev.lazyz.scenes.pictures
 
 import dev.lazyz.RenderOptions
 import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.Extent
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.world.Camera
-import dev.lazyz.world.FittedViewpoint
-import dev.lazyz.world.FittedViewpoint.Fit
-import dev.lazyz.world.Projection
-import dev.lazyz.world.Scene
-import dev.lazyz.world.Viewpoint
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint
+import dev.lazyz.world.camera.FittedViewpoint.Fit
+import dev.lazyz.world.camera.Projection
+import dev.lazyz.world.camera.Viewpoint
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
@@ -53,8 +53,8 @@ public class Turntable internal constructor(
         options: RenderOptions = RenderOptions(),
         observer: PictureObserver = PictureObserver(),
     ): PictureFrame = PictureSteps(settings, loaded, options, observer).frame { start ->
-        Viewpoint { scene, aspect ->
-            (camera ?: TurntableCamera(scene, aspect, steps, start).also { camera = it }).at(step)
+        Viewpoint { extent, aspect ->
+            (camera ?: TurntableCamera(extent, aspect, steps, start).also { camera = it }).at(step)
         }
     }
 
@@ -68,14 +68,14 @@ public class Turntable internal constructor(
  *
  * Cost: two times as many fitted cameras as there are [steps], once. Immutable and thread safe.
  *
- * @param scene the scene, in which y points up; it is not kept
+ * @param scene the scene, or another extent, in which y points up; it is not kept
  * @param aspect width of the pictures divided by their height
  * @property steps number of steps, at least 1
  * @param start the side at which the turn begins, the projection, the margin and the zoom
  * @throws IllegalArgumentException if [steps] is below 1, or [aspect] is not above 0
  */
 public class TurntableCamera @JvmOverloads constructor(
-    scene: Scene,
+    scene: Extent,
     aspect: Double,
     public val steps: Int,
     private val start: FittedViewpoint = Camera.fit(),
@@ -102,7 +102,7 @@ public class TurntableCamera @JvmOverloads constructor(
     override fun toString(): String = "TurntableCamera($steps steps, $start)"
 
     /** Where the camera is. */
-    private inner class Framing(scene: Scene, private val aspect: Double, box: Box) {
+    private inner class Framing(scene: Extent, private val aspect: Double, box: Box) {
         private val axes = List(steps) { Axes(start.azimuth + 360.0 * it / steps, start.elevation) }
         private val center = Vector3d(box.center)
         private val front: Double
@@ -155,7 +155,7 @@ public class TurntableCamera @JvmOverloads constructor(
          * Returns how far the scene reaches from [center] along [side], which leans by [slope] towards [direction], the
          * direction to the eye.
          */
-        private fun Scene.reach(side: Vector3dc, direction: Vector3dc, slope: Double): Double {
+        private fun Extent.reach(side: Vector3dc, direction: Vector3dc, slope: Double): Double {
             val normal = Vector3d(direction).mul(slope).add(side)
             val point = farthest(normal) ?: return 0.0
             return normal.dot(point.sub(center))

@@ -1,7 +1,6 @@
 package dev.lazyz.scenes.ply
 
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.ByteWindow
 import dev.lazyz.scenes.text.TextLines
@@ -12,9 +11,9 @@ import org.joml.Vector3d
 
 /**
  * Where the vertices and triangles of a binary PLY file are, if they are records of one length each, so that programs
- * on several machines can read parts of the file. Only for plain triangles: [Scenes] reads every PLY file.
+ * on several machines can read parts of the file. Only for plain triangles: `Scenes` reads every PLY file.
  *
- * All vertices come first, at [start]. They have 32-bit positions, and nothing else that [Scenes] would use: no
+ * All vertices come first, at [start]. They have 32-bit positions, and nothing else that `Scenes` would use: no
  * normals, colours or texture coordinates. The faces follow, [FACE_BYTES] bytes each: the number of corners, one byte,
  * and three 32-bit vertex numbers. Whether the number of corners is 3 and the file has all its bytes is left to the
  * caller. Immutable.

@@ -3,9 +3,9 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.json.JsonNode
-import dev.lazyz.world.Camera
-import dev.lazyz.world.FittedViewpoint.Fit
-import dev.lazyz.world.Viewpoint
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint.Fit
+import dev.lazyz.world.camera.Viewpoint
 import org.joml.Vector3d
 import org.joml.Vector3dc
 

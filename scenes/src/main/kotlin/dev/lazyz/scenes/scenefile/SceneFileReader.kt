@@ -19,24 +19,32 @@ import dev.lazyz.scenes.loading.FileReferences
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.pictures.PictureDoor
 import dev.lazyz.scenes.pictures.PictureSettings
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
-import dev.lazyz.world.EnvironmentMap
-import dev.lazyz.world.FittedViewpoint.Fit
-import dev.lazyz.world.Light
-import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint.Fit
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.EnvironmentMap
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.Light.Falloff
+import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter
+import java.nio.file.Path
 import org.joml.Vector3d
 
-/** Reads a whole scene file; docs/scene-file.md describes the format. */
-internal class SceneFileReader(private val source: Source) {
+/**
+ * Reads a whole scene file; docs/scene-file.md describes the format.
+ *
+ * @param models reads the model in a file that it refers to, of any format, or of one that its content tells
+ */
+internal class SceneFileReader(
+    private val source: Source,
+    private val models: (file: Path, format: SceneFormat?) -> LoadedScene,
+) {
     fun read(): LoadedScene {
         val element = JsonText.parse(source)
         val root = JsonNode(source, "", element)
@@ -56,7 +64,7 @@ internal class SceneFileReader(private val source: Source) {
         val lights = LightReader(source, up)
         val materials = MaterialReader(source)
         members["materials"]?.let(materials::readNamed)
-        val surfaces = SurfaceReader(source, materials, up)
+        val surfaces = SurfaceReader(source, models, materials, up)
         val rig = members["lights"]?.let(lights::rig)
         val scene = Scene(
             surfaces = members["surfaces"]?.items().orEmpty().flatMap(surfaces::read),

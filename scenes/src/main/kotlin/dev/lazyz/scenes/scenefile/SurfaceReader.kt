@@ -3,9 +3,9 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.FillRule
 import dev.lazyz.geometry.UpAxis
+import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.builtin.Builtins
-import dev.lazyz.scenes.formats.SceneReading
 import dev.lazyz.scenes.json.JsonMembers
 import dev.lazyz.scenes.json.JsonNode
 import dev.lazyz.scenes.loading.PartNames
@@ -25,6 +25,7 @@ import org.joml.Vector3d
 /** Reads surfaces in the order of the file. A mesh file that several surfaces refer to is read once. */
 internal class SurfaceReader(
     private val source: Source,
+    private val models: (file: Path, format: SceneFormat?) -> LoadedScene,
     private val materials: MaterialReader,
     private val up: UpAxis,
 ) {
@@ -73,15 +74,7 @@ internal class SurfaceReader(
             source.warn("", which, " have $lack, and are shown without")
         }
         return surfaces.map { surface ->
-            surface.withMaterials {
-                if (surface in
-                    bare
-                ) {
-                    material.withoutMaps()
-                } else {
-                    material
-                }
-            }
+            surface.withMaterials { if (surface in bare) material.withoutMaps() else material }
         }
     }
 
@@ -115,7 +108,7 @@ internal class SurfaceReader(
             }
             val found = source.references.find(reference)
             val file = found.file ?: node.fail("the file $reference ${found.problem}", found.remedy)
-            val loaded = SceneReading.read(file, format, source.loading, source.folder)
+            val loaded = models(file, format)
             source.warnAll(loaded)
             loaded.scene.surfaces
         }

@@ -1,8 +1,9 @@
 package dev.lazyz.scenes.builtin
 
 import dev.lazyz.scenes.Builtin
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.scenefile.SceneFile
+import dev.lazyz.scenes.scenefile.parsed
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
@@ -34,7 +35,7 @@ class BuiltinsTest {
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun rendersToTheSameBitsFromASceneFile(builtin: Builtin) {
         val scene = builtin.scene()
-        val back = SceneFile.parse(SceneFile.format(scene)).scene
+        val back = parsed(SceneFile.format(scene)).scene
         assertEquals(ZBufferRenderer().render(scene.frame(80, 60)), ZBufferRenderer().render(back.frame(80, 60)))
     }
 

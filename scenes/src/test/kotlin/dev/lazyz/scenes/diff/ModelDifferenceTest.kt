@@ -3,15 +3,15 @@ package dev.lazyz.scenes.diff
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.diff.ModelDifference.Change
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.CutPlane
 import dev.lazyz.scenes.pictures.NoPictureException
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
-import dev.lazyz.world.View
+import dev.lazyz.world.camera.View
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Surface

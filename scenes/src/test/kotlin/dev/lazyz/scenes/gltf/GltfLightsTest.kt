@@ -2,9 +2,9 @@ package dev.lazyz.scenes.gltf
 
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.loading.TestSources
-import dev.lazyz.world.Light
-import dev.lazyz.world.Light.Falloff
 import dev.lazyz.world.Scene
+import dev.lazyz.world.light.Light
+import dev.lazyz.world.light.Light.Falloff
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -8,9 +8,9 @@ import dev.lazyz.scenes.gltf.GltfFiles.Companion.USHORT
 import dev.lazyz.scenes.loading.TestSources
 import dev.lazyz.scenes.loading.corners
 import dev.lazyz.scenes.loading.meshes
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import java.nio.file.Files

@@ -5,12 +5,12 @@ import dev.lazyz.Rgba
 import dev.lazyz.lighting.EnvironmentBackground
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Scenes
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
-import dev.lazyz.world.EnvironmentMap
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.world.Scene
-import dev.lazyz.world.ToneMapping
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.EnvironmentMap
+import dev.lazyz.world.light.ToneMapping
 import java.io.ByteArrayOutputStream
 import java.nio.file.Path
 import kotlin.io.path.writeBytes

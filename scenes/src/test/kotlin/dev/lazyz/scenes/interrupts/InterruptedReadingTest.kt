@@ -4,7 +4,7 @@ import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Path

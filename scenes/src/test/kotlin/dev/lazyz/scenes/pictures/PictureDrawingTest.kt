@@ -8,12 +8,12 @@ import dev.lazyz.filter.VerticalGradient
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LengthUnit
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.strategies.tiled.TiledRenderer
-import dev.lazyz.world.Camera
-import dev.lazyz.world.FittedViewpoint.Fit
 import dev.lazyz.world.Scene
-import dev.lazyz.world.View
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.FittedViewpoint.Fit
+import dev.lazyz.world.camera.View
 import dev.lazyz.world.surface.Mesh
 import java.io.ByteArrayInputStream
 import java.io.ByteArrayOutputStream

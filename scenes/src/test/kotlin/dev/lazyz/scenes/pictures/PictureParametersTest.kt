@@ -2,7 +2,7 @@ package dev.lazyz.scenes.pictures
 
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.shared.PictureWords
 import dev.lazyz.strategies.tiled.TiledRenderer
 import java.nio.file.Files

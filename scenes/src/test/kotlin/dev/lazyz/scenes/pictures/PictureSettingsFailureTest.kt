@@ -5,8 +5,8 @@ import dev.lazyz.Raster
 import dev.lazyz.geometry.Box
 import dev.lazyz.lighting.LightRig
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
 import dev.lazyz.world.surface.Surface

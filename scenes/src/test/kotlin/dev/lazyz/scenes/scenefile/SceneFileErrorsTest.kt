@@ -2,7 +2,7 @@ package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.images.PngFile
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.world.surface.Mesh
@@ -25,7 +25,7 @@ class SceneFileErrorsTest {
     @ParameterizedTest
     @MethodSource("faults")
     fun messageSaysWhereWhatAndWhatToDo(text: String, location: String?, message: String) {
-        val error = assertThrows(SceneFormatException::class.java) { SceneFile.parse(text, "a.json") }
+        val error = assertThrows(SceneFormatException::class.java) { parsed(text, "a.json") }
         assertEquals(location, error.location)
         assertTrue(message in error.message.orEmpty(), "<$message> should be in <${error.message}>")
         assertTrue(error.message.orEmpty().startsWith("a.json"), error.message)
@@ -35,7 +35,7 @@ class SceneFileErrorsTest {
     fun hopelessNestingIsAnErrorAndNoStackOverflow() {
         for (bracket in listOf("[", "{\"a\":", "[{\"a\":")) {
             val text = "{\"lazyz\": 1, \"surfaces\": " + bracket.repeat(1_000_000)
-            val error = assertThrows(SceneFormatException::class.java) { SceneFile.parse(text) }
+            val error = assertThrows(SceneFormatException::class.java) { parsed(text) }
             assertTrue("nested more than 64 deep" in error.message.orEmpty(), error.message)
         }
     }
@@ -43,7 +43,8 @@ class SceneFileErrorsTest {
     @Test
     fun whatIsNotUtf8IsAnError() {
         val source = Source(byteArrayOf(0x7B, 0xFF.toByte(), 0x7D), "a.json", Path.of("."))
-        val error = assertThrows(SceneFormatException::class.java) { SceneFileReader(source).read() }
+        val error =
+            assertThrows(SceneFormatException::class.java) { SceneFileReader(source) { _, _ -> error("") }.read() }
         assertTrue("UTF-8" in error.message.orEmpty(), error.message)
     }
 
@@ -51,7 +52,7 @@ class SceneFileErrorsTest {
     fun everyPrefixOfAFileIsAnErrorAndNothingElse() {
         val text = SceneFile.format(Scenes.builtin("star")!!).trimEnd()
         for (length in text.indices) {
-            assertThrows(SceneFormatException::class.java) { SceneFile.parse(text.substring(0, length)) }
+            assertThrows(SceneFormatException::class.java) { parsed(text.substring(0, length)) }
         }
     }
 

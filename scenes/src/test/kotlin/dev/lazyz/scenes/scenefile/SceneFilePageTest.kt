@@ -41,7 +41,7 @@ class SceneFilePageTest {
             )
             val png = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg=="
             Files.write(folder.resolve("crate.png"), Base64.getDecoder().decode(png))
-            val loaded = SceneFile.parse(text, "docs/scene-file.md", folder)
+            val loaded = parsed(text, "docs/scene-file.md", folder)
             assertEquals(emptyList<String>(), loaded.warnings)
             assertTrue(loaded.scene.bounds != null)
         }

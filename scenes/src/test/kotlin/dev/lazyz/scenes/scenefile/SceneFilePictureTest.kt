@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test
 class SceneFilePictureTest {
     private val usual = PictureSettings(40, 30)
 
-    private fun file(picture: String): LoadedScene = SceneFile.parse(
+    private fun file(picture: String): LoadedScene = parsed(
         """{"lazyz": 1, "picture": {$picture}, "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}},
             {"mesh": {"positions": [0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 2], "triangles": [0, 2, 1, 0, 1, 3]}}]}""",
         "a.json",

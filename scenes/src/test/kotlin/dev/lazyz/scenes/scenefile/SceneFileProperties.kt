@@ -1,10 +1,10 @@
 package dev.lazyz.scenes.scenefile
 
 import dev.lazyz.scenes.ImageSize
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Light
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points
@@ -24,7 +24,7 @@ class SceneFileProperties {
         val scene = random.scene()
         val depth = random.depth()
         val size = ImageSize(1 + (seed and 1023).toInt(), 480)
-        val loaded = SceneFile.parse(SceneFile.format(scene, size, depth))
+        val loaded = parsed(SceneFile.format(scene, size, depth))
         assertEquals(size, loaded.size)
         assertEquals(depth, loaded.depth)
         assertEquals(emptyList<String>(), loaded.warnings)
@@ -34,7 +34,7 @@ class SceneFileProperties {
     @Property(seed = "1995", tries = 100)
     fun writingAgainGivesTheSameText(@ForAll seed: Long) {
         val text = SceneFile.format(RandomScenes(seed).scene())
-        val loaded = SceneFile.parse(text)
+        val loaded = parsed(text)
         assertNull(loaded.size)
         assertEquals(text, SceneFile.format(loaded.scene))
     }

@@ -3,15 +3,15 @@ package dev.lazyz.scenes.scenefile
 import dev.lazyz.Rgba
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.shared.PictureWords
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Environment
-import dev.lazyz.world.EnvironmentMap
-import dev.lazyz.world.Light
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
-import dev.lazyz.world.Viewpoint
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
+import dev.lazyz.world.camera.Viewpoint
+import dev.lazyz.world.light.Environment
+import dev.lazyz.world.light.EnvironmentMap
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere
@@ -33,7 +33,7 @@ class SceneFileTest {
 
     @Test
     fun theLeastFileIsAnEmptyScene() {
-        val loaded = SceneFile.parse("""{"lazyz": 1}""")
+        val loaded = parsed("""{"lazyz": 1}""")
         assertEquals(0, loaded.scene.surfaces.size)
         assertEquals(Rgba.WHITE, loaded.scene.background)
         assertEquals(null, loaded.size)
@@ -49,7 +49,7 @@ class SceneFileTest {
 
     @Test
     fun aFileThatPointsUpAlongZIsTurned() {
-        val scene = SceneFile.parse(
+        val scene = parsed(
             """
             {"lazyz": 1, "up": "z",
              "camera": {"orthographic": {"eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 1],
@@ -65,7 +65,7 @@ class SceneFileTest {
 
     @Test
     fun glassIsTranslucentUnlessItSaysOtherwise() {
-        fun modes(members: String) = SceneFile.parse(
+        fun modes(members: String) = parsed(
             """{"lazyz": 1, "surfaces": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": {$members}}]}""",
         ).scene.surfaces.map { (it as Sphere).material.alphaMode }
 
@@ -78,7 +78,7 @@ class SceneFileTest {
     @Test
     fun surfacesShareTheMaterialThatTheyName() {
         val sphere = """{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "red"}"""
-        val scene = SceneFile.parse(
+        val scene = parsed(
             """{"lazyz": 1, "materials": {"red": {"baseColor": "#ff0000"}}, "surfaces": [$sphere, $sphere]}""",
         ).scene
         val (first, second) = scene.surfaces.map { (it as Sphere).material }
@@ -91,7 +91,7 @@ class SceneFileTest {
     fun builtInScenesTakeTheirParameters() {
         val teapot = """{"name": "teapot", "segments": 2}"""
         val text = """{"lazyz": 1, "surfaces": [{"builtin": $teapot}, {"builtin": "cycle"}]}"""
-        val surfaces = SceneFile.parse(text).scene.surfaces
+        val surfaces = parsed(text).scene.surfaces
         assertEquals(64 * 4 - 16, (surfaces[0] as Mesh).triangleCount)
         assertEquals(4, surfaces.size)
     }
@@ -101,7 +101,7 @@ class SceneFileTest {
         val path = folder.resolve("a.json")
         val camera = Camera.perspective(Vector3d(0.0, 0.0, 5.0), Vector3d(), Vector3d(0.0, 1.0, 0.0), 33.3, 1.0, 9.0)
         SceneFile.write(Scene(emptyList(), viewpoint = camera), path, ImageSize(12, 34))
-        val loaded = SceneFile.read(path)
+        val loaded = Scenes.load(path)
         assertEquals(ImageSize(12, 34), loaded.size)
         val projection = (loaded.scene.viewpoint as Camera).projection as Projection.Perspective
         assertEquals(33.3, projection.verticalFieldOfView)
@@ -111,7 +111,7 @@ class SceneFileTest {
     @Test
     fun aNameMeansAnArrangementOfLights() {
         fun read(members: String) =
-            SceneFile.parse("""{"lazyz": 1, $members, "surfaces": [{"sphere": {"center": [1, 2, 3], "radius": 1}}]}""")
+            parsed("""{"lazyz": 1, $members, "surfaces": [{"sphere": {"center": [1, 2, 3], "radius": 1}}]}""")
         for ((word, rig) in SceneFileNames.lightRigs) {
             for (view in listOf("", """, "up": "z", "camera": {"fit": {"azimuth": 200, "elevation": -40}}""")) {
                 val loaded = read(""""lights": "$word"$view""")
@@ -140,7 +140,7 @@ class SceneFileTest {
         folder.resolve("sky.hdr").writeBytes(PictureWords.sky())
         folder.resolve("sky.png").writeBytes(PictureWords.picture())
         fun read(environment: String) =
-            SceneFile.parse("""{"lazyz": 1, "environment": $environment}""", "a.json", folder)
+            parsed("""{"lazyz": 1, "environment": $environment}""", "a.json", folder)
         val loaded = read("""{"picture": {"image": "sky.hdr", "intensity": 2, "rotation": -90}}""")
         val map = Scenes.environment(folder.resolve("sky.hdr"))
         assertEquals(Environment.of(map, 2f, -90.0), loaded.scene.environment)
@@ -177,5 +177,5 @@ class SceneFileTest {
     }
 
     private fun background(json: String): Rgba =
-        SceneFile.parse("""{"lazyz": 1, "background": $json}""").scene.background
+        parsed("""{"lazyz": 1, "background": $json}""").scene.background
 }

@@ -39,7 +39,7 @@ class TransformReaderTest {
 
     private fun moved(steps: String, x: Double, y: Double, z: Double): Vector3dc {
         val sphere = """{"sphere": {"center": [$x, $y, $z], "radius": 1}, "transform": [$steps]}"""
-        val scene = SceneFile.parse("""{"lazyz": 1, "surfaces": [$sphere]}""").scene
+        val scene = parsed("""{"lazyz": 1, "surfaces": [$sphere]}""").scene
         val center = (scene.surfaces.single() as Sphere).center
 
         // The two zeros are equal here

@@ -7,8 +7,8 @@ import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneReadException
-import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.StreamedScene
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.strategies.hybrid.HybridRenderer
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer

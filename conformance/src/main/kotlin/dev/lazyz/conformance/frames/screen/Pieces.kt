@@ -8,8 +8,8 @@ import dev.lazyz.geometry.FillRule
 import dev.lazyz.scenes.Tint
 import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.spi.LinearForm
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Polygon.Vertex

@@ -17,10 +17,9 @@ import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.ways
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Spans
-import dev.lazyz.world.Camera
+import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.SetUp
-import org.joml.Vector3d
 
 // Memory is measured on the heap, because a renderer's own counters may be wrong. A violation holds several times the
 // allowed memory, and the allowed memory is several times the usual noise.
@@ -241,7 +240,7 @@ private enum class HeavyKind(private val words: String) {
             floatArrayOf(left, -1f, 0.5f, left + 2, -1f, 0.5f, left, 3f, 0.5f).copyInto(positions)
             val normals = FloatArray(3 * VERTICES) { if (it % 3 == 2) -1f else 0f }
             val mesh = Mesh(positions, intArrayOf(0, 1, 2), normals = normals)
-            return SetUp(Raster(HEAVY, 1), Camera.screen(), emptyList(), Vector3d()).mesh(mesh).first()
+            return Scene(listOf(mesh), viewpoint = Camera.screen()).primitives(Raster(HEAVY, 1)).first()
         }
     }, ;
 

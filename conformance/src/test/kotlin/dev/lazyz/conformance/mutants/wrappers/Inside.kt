@@ -3,7 +3,7 @@ package dev.lazyz.conformance.mutants.wrappers
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
 import dev.lazyz.spi.Shader
-import dev.lazyz.world.AmbientVisibility
+import dev.lazyz.world.light.AmbientVisibility
 import dev.lazyz.world.material.Texture
 
 /** Temporary changes of fields of the library's objects. */

@@ -7,8 +7,8 @@ import dev.lazyz.setup.triangleBatch
 import dev.lazyz.shared.NotByDefault
 import dev.lazyz.strategies.tiled.raster.TileGrid
 import dev.lazyz.strategies.tiled.raster.TriangleForms
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Mesh
 import java.util.Random

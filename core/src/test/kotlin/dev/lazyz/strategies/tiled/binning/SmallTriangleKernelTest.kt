@@ -3,8 +3,8 @@ package dev.lazyz.strategies.tiled.binning
 import dev.lazyz.setup.TriangleBatch
 import dev.lazyz.setup.triangleBatch
 import dev.lazyz.strategies.tiled.Kernels
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Mesh
 import java.util.Random

@@ -14,8 +14,8 @@ import dev.lazyz.spi.FragmentBatch
 import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.tiled.Kernels
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter

@@ -1,7 +1,7 @@
 package dev.lazyz.server.render
 
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 
 /** Finds the format of an upload. */
 internal object MediaTypes {

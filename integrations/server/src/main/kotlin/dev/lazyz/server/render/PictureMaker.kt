@@ -7,6 +7,7 @@ import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.formats.ModelArchive
 import dev.lazyz.scenes.outputs.PictureOutput
 import dev.lazyz.scenes.pictures.Blank
 import dev.lazyz.scenes.pictures.NoPictureException
@@ -14,7 +15,6 @@ import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
-import dev.lazyz.scenes.zip.ModelArchive
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.Mesh

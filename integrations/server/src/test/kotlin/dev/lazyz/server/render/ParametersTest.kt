@@ -4,8 +4,8 @@ import dev.lazyz.aov.Aov
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.aov.AovFiles
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.outputs.ContactSheet
 import dev.lazyz.scenes.pictures.PictureDoor
 import dev.lazyz.scenes.pictures.PictureObserver
@@ -18,7 +18,7 @@ import dev.lazyz.server.RenderServer
 import dev.lazyz.server.ServerConfig
 import dev.lazyz.shared.PictureWords
 import dev.lazyz.strategies.tiled.TiledRenderer
-import dev.lazyz.world.View
+import dev.lazyz.world.camera.View
 import java.io.ByteArrayOutputStream
 import java.net.URLEncoder
 import java.nio.file.Path

@@ -4,8 +4,8 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.ReferencePolicy
+import dev.lazyz.scenes.formats.ModelArchive
 import dev.lazyz.scenes.pictures.PictureObserver
-import dev.lazyz.scenes.zip.ModelArchive
 import dev.lazyz.strategies.tiled.TiledRenderer
 import java.io.ByteArrayOutputStream
 import java.io.Serializable

@@ -7,9 +7,9 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.strategies.tiled.TiledRenderer
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Surface
 import java.io.Serializable

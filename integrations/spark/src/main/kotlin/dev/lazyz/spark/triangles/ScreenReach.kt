@@ -2,8 +2,8 @@ package dev.lazyz.spark.triangles
 
 import dev.lazyz.Raster
 import dev.lazyz.Region
-import dev.lazyz.world.Camera
-import dev.lazyz.world.Projection
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
 import org.joml.Matrix4d
 import org.joml.Vector4d
 

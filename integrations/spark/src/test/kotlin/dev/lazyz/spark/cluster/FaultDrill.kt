@@ -6,7 +6,7 @@ import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.scenes.LoadOptions
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.spark.ModelPictures
 import dev.lazyz.spark.Models
 import dev.lazyz.spark.SortOrder
@@ -18,8 +18,8 @@ import dev.lazyz.spark.pictures.PictureSource
 import dev.lazyz.spark.triangles.SerializableCamera
 import dev.lazyz.spark.triangles.TriangleScene
 import dev.lazyz.strategies.tiled.TiledRenderer
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.surface.Surface
 import java.io.IOException
 import java.nio.ByteBuffer

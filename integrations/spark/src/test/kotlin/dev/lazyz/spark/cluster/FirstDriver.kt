@@ -3,7 +3,7 @@ package dev.lazyz.spark.cluster
 import dev.lazyz.Raster
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.spark.pictures.DistributedPicture
 import dev.lazyz.spark.pictures.PictureSource
 import java.lang.management.ManagementFactory

@@ -1,7 +1,7 @@
 package dev.lazyz.spark.cluster
 
 import dev.lazyz.Image.PixelHash
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.spark.SortWays
 import dev.lazyz.spark.TrianglePicture
 import dev.lazyz.spark.TriangleTable

@@ -3,8 +3,8 @@ package dev.lazyz.spark.models
 import dev.lazyz.aov.Aov
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.Scenes
 import dev.lazyz.scenes.aov.AovFiles
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.outputs.PictureOutput
 import dev.lazyz.scenes.pictures.PictureDoor
 import dev.lazyz.scenes.pictures.PictureObserver

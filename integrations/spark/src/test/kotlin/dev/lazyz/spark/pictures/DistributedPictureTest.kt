@@ -6,7 +6,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.Picture
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.deepzoom.DeepZoomFiles

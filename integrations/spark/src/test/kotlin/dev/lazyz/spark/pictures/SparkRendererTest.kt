@@ -1,7 +1,7 @@
 package dev.lazyz.spark.pictures
 
 import dev.lazyz.Rgba
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.spark.TestSpark
 import dev.lazyz.strategies.lists.ListsRenderer
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer

@@ -1,8 +1,8 @@
 package dev.lazyz.spark.scaling
 
 import dev.lazyz.spark.triangles.TriangleScene
-import dev.lazyz.world.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.surface.Mesh
 import kotlin.math.PI
 import kotlin.math.cos

@@ -4,7 +4,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.gltf.GltfFiles
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.FLOAT
 import dev.lazyz.scenes.gltf.GltfFiles.Companion.ONE_NODE

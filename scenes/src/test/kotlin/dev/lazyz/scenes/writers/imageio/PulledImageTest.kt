@@ -8,7 +8,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
 import dev.lazyz.scenes.ChildJava
-import dev.lazyz.scenes.Scenes
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.writers.toBufferedImage
 import dev.lazyz.strategies.tiled.TiledRenderer
 import java.awt.Rectangle

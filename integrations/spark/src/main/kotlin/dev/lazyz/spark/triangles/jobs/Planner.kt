@@ -4,7 +4,7 @@ import dev.lazyz.Raster
 import dev.lazyz.spark.triangles.PictureSetUp
 import dev.lazyz.spark.triangles.ScreenReach
 import dev.lazyz.spark.triangles.TriangleChunk
-import dev.lazyz.world.Camera
+import dev.lazyz.world.camera.Camera
 import org.apache.spark.api.java.JavaPairRDD
 import org.apache.spark.api.java.JavaRDD
 import org.apache.spark.broadcast.Broadcast

@@ -1,4 +1,4 @@
-package dev.lazyz.scenes.zip
+package dev.lazyz.scenes.formats
 
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
@@ -7,13 +7,12 @@ import dev.lazyz.scenes.ReferencePolicy
 import dev.lazyz.scenes.SceneFormat
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneReadException
-import dev.lazyz.scenes.Scenes
-import dev.lazyz.scenes.formats.SceneReading
 import dev.lazyz.scenes.loading.FileReferences
 import dev.lazyz.scenes.loading.Loading
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.streaming.SpoolSpace
+import dev.lazyz.scenes.zip.ZipArchive
 import java.io.Closeable
 import java.io.IOException
 import java.nio.file.FileSystemException

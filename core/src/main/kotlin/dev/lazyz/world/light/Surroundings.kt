@@ -1,4 +1,4 @@
-package dev.lazyz.world
+package dev.lazyz.world.light
 
 /** Light by direction, in a space of its own in which y points up. Immutable and thread safe. */
 internal interface Surroundings {

@@ -1,12 +1,19 @@
-package dev.lazyz.scenes
+package dev.lazyz.scenes.formats
 
 import dev.lazyz.RenderOptions
+import dev.lazyz.scenes.Builtin
+import dev.lazyz.scenes.LoadLimits
+import dev.lazyz.scenes.LoadOptions
+import dev.lazyz.scenes.LoadedScene
+import dev.lazyz.scenes.SceneFormat
+import dev.lazyz.scenes.SceneFormatException
+import dev.lazyz.scenes.SceneReadException
+import dev.lazyz.scenes.StreamedScene
 import dev.lazyz.scenes.builtin.Builtins
-import dev.lazyz.scenes.formats.FormatSniffer
-import dev.lazyz.scenes.formats.SceneReading
-import dev.lazyz.scenes.formats.StreamReading
-import dev.lazyz.world.EnvironmentMap
+import dev.lazyz.scenes.images.RadianceImage
+import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.world.Scene
+import dev.lazyz.world.light.EnvironmentMap
 import dev.lazyz.world.material.Texture
 import java.io.InputStream
 import java.nio.file.Path
@@ -207,11 +214,11 @@ public object Scenes {
     @JvmStatic
     @JvmOverloads
     @Throws(SceneFormatException::class)
-    public fun texture(path: Path, limits: LoadLimits = LoadLimits()): Texture = SceneReading.texture(path, limits)
+    public fun texture(path: Path, limits: LoadLimits = LoadLimits()): Texture = TextureFiles.read(path, limits)
 
     /**
-     * Reads a picture of surroundings, a Radiance file (`.hdr`), for [dev.lazyz.world.Environment.of]. The maps of the
-     * last few contents are kept while there is memory. Cost: two or three seconds of processor time for others.
+     * Reads a picture of surroundings, a Radiance file (`.hdr`), for [dev.lazyz.world.light.Environment.of]. The maps
+     * of the last few contents are kept while there is memory. Cost: two or three seconds of processor time for others.
      *
      * @param options [RenderOptions.threads] and [RenderOptions.executor] are used, the others are not
      * @throws SceneFormatException if the file is not such a picture, or a limit is exceeded; a [SceneReadException] if
@@ -224,7 +231,7 @@ public object Scenes {
         path: Path,
         limits: LoadLimits = LoadLimits(),
         options: RenderOptions = RenderOptions(),
-    ): EnvironmentMap = SceneReading.environment(path, limits, options) {}
+    ): EnvironmentMap = RadianceImage.read(path, limits, options) {}
 
     /**
      * Returns the Utah teapot; see [Builtin].
@@ -267,25 +274,4 @@ public object Scenes {
      */
     @JvmStatic
     public fun leastMemory(format: SceneFormat?, bytes: Long): Long = SceneFormat.memoryPerByte(format) * bytes
-}
-
-/**
- * A built-in scene, for trying out the library without a file; see [Scenes.builtins].
- *
- * Immutable and thread safe.
- *
- * @property id lower-case name, used on command lines and in scene files
- * @property summary what the scene shows, in one line
- * @property size the image size that the scene was composed for; any other size works too
- */
-public class Builtin internal constructor(
-    public val id: String,
-    public val summary: String,
-    public val size: ImageSize,
-    private val make: () -> Scene,
-) {
-    /** Creates the scene: surfaces, lights, camera and background. Cost: each call creates all surfaces again. */
-    public fun scene(): Scene = make()
-
-    override fun toString(): String = "Builtin($id: $summary)"
 }

@@ -1,4 +1,4 @@
-package dev.lazyz.world
+package dev.lazyz.world.camera
 
 import dev.lazyz.Depth
 import dev.lazyz.Frame
@@ -10,9 +10,11 @@ import dev.lazyz.geometry.FillRule
 import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.spi.Shader
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
+import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Material.Sides
+import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Sphere

@@ -1,10 +1,8 @@
-package dev.lazyz.world
+package dev.lazyz.world.camera
 
 import dev.lazyz.geometry.Box
+import dev.lazyz.geometry.Extent
 import dev.lazyz.geometry.Vectors
-import dev.lazyz.world.surface.Lines
-import dev.lazyz.world.surface.Points
-import dev.lazyz.world.surface.Surface
 import org.joml.Vector3d
 
 /**
@@ -13,15 +11,15 @@ import org.joml.Vector3d
  *
  * The projected vertices of all surfaces are in the middle of the image, and the wider of their two extents (width or
  * height, compared with the image) touches the margin, but for the rounding of 64-bit floats. Spheres count with their
- * outline, and surfaces that do not override [Surface.farthest] with their box. Sizes of [Points] and [Lines] in pixels
- * do not count.
+ * outline, and surfaces that do not override [Extent.farthest] with their box. Sizes of points and lines in pixels do
+ * not count.
  *
  * With perspective, the eye does not come nearer to the scene than about a hundredth of its size. So a needle that
  * points to the eye can be smaller than the margin permits, and with more than about 115 degrees also a box with a
  * corner that does. The same is true for an orthographic camera if the image of the scene is smaller than a
  * hundred-thousandth of its size, as that of a line seen end-on.
  *
- * Cost: all vertices are visited once, a part of them again, see [Scene.farthest]. All of it happens on one thread, so
+ * Cost: all vertices are visited once, a part of them again, see [Extent.farthest]. All of it happens on one thread, so
  * the result does not depend on the number of threads.
  *
  * @property azimuth degrees around the up axis; 0 is the front (+z), 90 is +x
@@ -40,20 +38,20 @@ public class FittedViewpoint internal constructor(
     public val margin: Double,
     public val fieldOfView: Double,
 ) : Viewpoint {
-    override fun camera(scene: Scene, aspect: Double): Camera {
+    override fun camera(extent: Extent, aspect: Double): Camera {
         val up = if (horizontal() < POLE) upAtPole() else Vector3d(0.0, 1.0, 0.0)
         val axes = Camera.orthographic(direction(), Vector3d(), up, 1.0, 0.0, 1.0)
-        val extent = SceneExtent(scene, axes)
+        val seen = ExtentAlong(axes, extent)
         return when (kind) {
-            Fit.ORTHOGRAPHIC -> orthographic(extent, up, aspect)
-            Fit.PERSPECTIVE -> perspective(extent, up, aspect)
+            Fit.ORTHOGRAPHIC -> orthographic(seen, up, aspect)
+            Fit.PERSPECTIVE -> perspective(seen, up, aspect)
         }
     }
 
     /** The part of the image between the margins, 0..1. */
     private val filled: Double get() = 1.0 - margin / 50.0
 
-    private fun orthographic(extent: SceneExtent, up: Vector3d, aspect: Double): Camera {
+    private fun orthographic(extent: ExtentAlong, up: Vector3d, aspect: Double): Camera {
         val height = maxOf(extent.width / aspect, extent.height, extent.pad / 1000)
         val back = extent.depth / 2 + extent.pad
         val middle = extent.back + extent.depth / 2
@@ -65,7 +63,7 @@ public class FittedViewpoint internal constructor(
         )
     }
 
-    private fun perspective(extent: SceneExtent, up: Vector3d, aspect: Double): Camera {
+    private fun perspective(extent: ExtentAlong, up: Vector3d, aspect: Double): Camera {
         // Where the planes through the margins touch the scene on both sides, the eye is where they meet
         val projection = Projection.Perspective(fieldOfView)
         val slope = projection.halfHeight * filled
@@ -173,8 +171,8 @@ public class FittedViewpoint internal constructor(
  *
  * @param axes a camera, of which only the directions are used
  */
-internal class SceneExtent(private val scene: Scene, axes: Camera) {
-    private val box = scene.bounds ?: UNIT_BOX
+internal class ExtentAlong(axes: Camera, private val extent: Extent) {
+    private val box = extent.bounds ?: UNIT_BOX
     private val center = box.center
 
     val right = axes.right
@@ -249,7 +247,7 @@ internal class SceneExtent(private val scene: Scene, axes: Camera) {
         sign * Vectors.dot(axis, farthest(Vector3d(sign * axis.x, sign * axis.y, sign * axis.z)))
 
     private fun farthest(direction: Vector3d): Vector3d {
-        val point = scene.farthest(direction) ?: box.farthest(direction)
+        val point = extent.farthest(direction) ?: box.farthest(direction)
         return Vectors.minus(point, center)
     }
 

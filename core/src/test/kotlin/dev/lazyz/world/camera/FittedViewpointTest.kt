@@ -1,11 +1,13 @@
-package dev.lazyz.world
+package dev.lazyz.world.camera
 
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.geometry.Box
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
-import dev.lazyz.world.FittedViewpoint.Fit
+import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.FittedViewpoint.Fit
+import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Lines
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Points

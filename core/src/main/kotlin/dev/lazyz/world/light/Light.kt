@@ -1,8 +1,9 @@
-package dev.lazyz.world
+package dev.lazyz.world.light
 
 import dev.lazyz.Rgba
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.MetallicRoughness
 import org.joml.Vector3d
 import org.joml.Vector3dc
@@ -181,9 +182,6 @@ internal class SceneLight(
     val toneMapping: ToneMapping,
     val visibility: AmbientVisibility?,
 ) {
-    /** The same lights for all materials, without an environment and without tone mapping. */
-    constructor(lights: List<Light>) : this(lights, lights, Environment.NONE, ToneMapping.NONE, null)
-
     /** Returns the same light relative to [origin]. */
     fun relativeTo(origin: Vector3dc): SceneLight = SceneLight(
         classical.map { it.relativeTo(origin) },

@@ -1,4 +1,4 @@
-package dev.lazyz.world
+package dev.lazyz.world.light
 
 /**
  * Exposure and tone mapping: converts the light of a surface to what the picture shows (contract rule 6.11). Applied to

@@ -1,8 +1,9 @@
-package dev.lazyz.world
+package dev.lazyz.world.light
 
 import dev.lazyz.RenderOptions
 import dev.lazyz.shading.pbr.EnvironmentView
 import dev.lazyz.shading.pbr.PhysicalSurface
+import dev.lazyz.world.camera.Camera
 import java.util.Random
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertArrayEquals

@@ -1,4 +1,4 @@
-package dev.lazyz.world
+package dev.lazyz.world.light
 
 import kotlin.math.abs
 

@@ -1,11 +1,13 @@
-package dev.lazyz.world
+package dev.lazyz.world.camera
 
 import dev.lazyz.Raster
 import dev.lazyz.SampleSet
 import dev.lazyz.samples
-import dev.lazyz.world.FittedViewpoint.Fit
+import dev.lazyz.setup.setUp
+import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.FittedViewpoint.Fit
+import dev.lazyz.world.scene
 import dev.lazyz.world.surface.Mesh
-import dev.lazyz.world.surface.SetUp
 import dev.lazyz.world.surface.Sphere
 import java.util.Random
 import org.joml.Matrix4d
@@ -117,10 +119,10 @@ class CameraTest {
     fun rule_1_1_theCentreIsTheMiddleAndYGrowsDownward() {
         val camera = Camera.orthographic(Vector3d(0.0, 0.0, 5.0), Vector3d(), up, 4.0, 1.0, 9.0)
         val mesh = Mesh(floatArrayOf(-2f, 2f, 0f, -2f, 1f, 0f, -1f, 2f, 0f), intArrayOf(0, 1, 2))
-        val covered = SetUp(Raster(4, 4), camera, emptyList()).mesh(mesh).single().samples(Raster(4, 4))
+        val covered = setUp(Raster(4, 4), camera, emptyList()).mesh(mesh).single().samples(Raster(4, 4))
         assertEquals(SampleSet.where(4, 4) { x, y -> x == 0 && y == 0 && covered[0, 0] }, covered)
         val wide = Mesh(floatArrayOf(-2f, 2f, 0f, -2f, 0.9f, 0f, -0.9f, 2f, 0f), intArrayOf(0, 1, 2))
-        val first = SetUp(Raster(4, 4), camera, emptyList()).mesh(wide).single().samples(Raster(4, 4))
+        val first = setUp(Raster(4, 4), camera, emptyList()).mesh(wide).single().samples(Raster(4, 4))
         assertEquals(SampleSet.where(4, 4) { x, y -> x == 0 && y == 0 }, first)
     }
 

@@ -1,4 +1,4 @@
-package dev.lazyz.world
+package dev.lazyz.world.light
 
 import dev.lazyz.Checkpoint
 import dev.lazyz.RenderOptions

@@ -1,4 +1,4 @@
-package dev.lazyz.scenes.zip
+package dev.lazyz.scenes.formats
 
 import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer

@@ -1,4 +1,4 @@
-package dev.lazyz.world
+package dev.lazyz.world.light
 
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.world.material.MetallicRoughness
@@ -77,7 +77,7 @@ public class Environment private constructor(
 }
 
 /**
- * How much of the light from all sides reaches a point. [Scene.withAmbientVisibility] multiplies ambient light and the
+ * How much of the light from all sides reaches a point. `Scene.withAmbientVisibility` multiplies ambient light and the
  * [Environment] by it, like an [OcclusionMap] (contract rule 6.13). `AmbientOcclusion` computes it from the shapes of a
  * scene.
  *
@@ -88,7 +88,7 @@ public fun interface AmbientVisibility {
     /**
      * Returns the part of the light that reaches a point, 0..1.
      *
-     * @param x the point in world space, relative to [Scene.origin]; the same for [y] and [z]
+     * @param x the point in world space, relative to `Scene.origin`; the same for [y] and [z]
      * @param normalX the normal at the point, unit length, on the viewer's side; the same for [normalY] and [normalZ]
      */
     public fun at(x: Float, y: Float, z: Float, normalX: Float, normalY: Float, normalZ: Float): Float

@@ -1,4 +1,4 @@
-package dev.lazyz.scenes.zip
+package dev.lazyz.scenes.formats
 
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
