@@ -1,13 +1,18 @@
 package dev.lazyz.pipeline
 
+import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.FrameParts
 import dev.lazyz.Image
+import dev.lazyz.Primitive
 import dev.lazyz.Region
+import dev.lazyz.Renderer
 import dev.lazyz.RowSink
+import dev.lazyz.StreamingRenderer.Rendering
 import dev.lazyz.Workers
+import dev.lazyz.opaqueNeeded
 
 /**
  * Renders a streamed frame part by part. Each part is rendered like a frame of its own, where it may be seen; a sample
@@ -82,3 +87,38 @@ internal fun bandsOf(region: Region, mostBytes: Long): List<Region> {
 
 /** Returns most bytes of a band: the [limit] of the options, or a third of the heap. */
 internal fun bandBytes(limit: Long?): Long = limit ?: (Runtime.getRuntime().maxMemory() / 3)
+
+/**
+ * A [Rendering]. Checks what callers may do, and leaves the work to [draw] and [end].
+ *
+ * @param draw draws the next primitive
+ * @param end passes the rows to the sink
+ */
+internal class GuardedDrawing(
+    private val renderer: Renderer,
+    private val draw: (primitive: Primitive) -> Unit,
+    private val end: (sink: RowSink) -> Counters,
+) : Rendering {
+    private val isBlending = Capability.TRANSPARENCY in renderer.capabilities
+    private var count = 0
+    private var hasEnded = false
+
+    override fun add(primitive: Primitive) {
+        check(!hasEnded) { "the image has ended: begin a new one" }
+        check(count < Int.MAX_VALUE) { "more than 2^31-1 primitives" }
+
+        // If the primitive throws an exception, it may be drawn in part, so that the image cannot be continued
+        hasEnded = true
+        val isRefused = !isBlending && primitive.isTranslucent
+        if (!isRefused) draw(primitive)
+        hasEnded = false
+        if (isRefused) throw opaqueNeeded(count, renderer)
+        count++
+    }
+
+    override fun finish(sink: RowSink): Counters {
+        check(!hasEnded) { "the image has ended: begin a new one" }
+        hasEnded = true
+        return end(sink)
+    }
+}

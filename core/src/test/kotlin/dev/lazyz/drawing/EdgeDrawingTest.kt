@@ -6,12 +6,13 @@ import dev.lazyz.Rgba
 import dev.lazyz.drawing.EdgeStyle.EdgeSet
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.filter.SuperSampling
+import dev.lazyz.setup.setUp
 import dev.lazyz.shared.ProcessorTime
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
+import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.camera.FittedViewpoint.Fit
-import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
@@ -19,7 +20,6 @@ import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Polygon.Vertex
-import dev.lazyz.setup.setUp
 import dev.lazyz.world.surface.Surface
 import java.util.Random
 import org.joml.Vector3d

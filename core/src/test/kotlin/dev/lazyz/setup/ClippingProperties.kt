@@ -7,8 +7,8 @@ import dev.lazyz.SampleScenes
 import dev.lazyz.geometry.FillRule
 import dev.lazyz.samples
 import dev.lazyz.samplesByCursor
-import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.Scene
+import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Polygon.Vertex

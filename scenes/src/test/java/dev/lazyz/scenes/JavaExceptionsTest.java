@@ -1,7 +1,5 @@
 package dev.lazyz.scenes;
 
-import dev.lazyz.scenes.formats.Scenes;
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;

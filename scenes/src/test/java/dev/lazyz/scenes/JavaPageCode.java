@@ -1,7 +1,5 @@
 package dev.lazyz.scenes;
 
-import dev.lazyz.scenes.formats.Scenes;
-
 import dev.lazyz.Frame;
 import dev.lazyz.Image;
 import dev.lazyz.Raster;

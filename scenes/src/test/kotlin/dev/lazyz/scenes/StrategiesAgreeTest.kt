@@ -1,16 +1,15 @@
 package dev.lazyz.scenes
 
-import dev.lazyz.scenes.formats.Scenes
-
 import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.Rgba
+import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.meshes.AwkwardMesh
 import dev.lazyz.strategies.Renderers
+import dev.lazyz.world.Scene
 import dev.lazyz.world.light.Environment
 import dev.lazyz.world.light.Light
 import dev.lazyz.world.light.Light.Falloff
-import dev.lazyz.world.Scene
 import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material

@@ -1,6 +1,5 @@
 package dev.lazyz.world.surface
 
-import dev.lazyz.setup.setUp
 import dev.lazyz.Depth
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
@@ -8,6 +7,7 @@ import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
 import dev.lazyz.SampleSet
 import dev.lazyz.samples
+import dev.lazyz.setup.setUp
 import dev.lazyz.spi.Fragment
 import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material

@@ -21,8 +21,9 @@ import org.jetbrains.kotlinx.jupyter.api.mimeResult
  */
 internal class NotebookIntegration : JupyterIntegration() {
     override fun Builder.onLoaded() {
-        import("dev.lazyz.*", "dev.lazyz.scenes.*", "dev.lazyz.scenes.pictures.*", "dev.lazyz.scenes.writers.*")
-        import("dev.lazyz.world.*", "dev.lazyz.world.material.*", "dev.lazyz.world.surface.*")
+        import("dev.lazyz.*", "dev.lazyz.scenes.*", "dev.lazyz.scenes.formats.*", "dev.lazyz.scenes.pictures.*")
+        import("dev.lazyz.scenes.writers.*", "dev.lazyz.world.*", "dev.lazyz.world.camera.*", "dev.lazyz.world.light.*")
+        import("dev.lazyz.world.material.*", "dev.lazyz.world.surface.*")
         render<Image> { picture(it) }
         render<PictureFrame> { picture(it.render(TiledRenderer())) }
         render<LoadedScene> { picture(PictureSettings().frame(it).render(TiledRenderer())) }
