@@ -1,5 +1,6 @@
 package dev.lazyz
 
+import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.ShadingObserver
 import java.util.function.IntPredicate
 
@@ -141,6 +142,63 @@ public class Frame internal constructor(
     internal fun at(area: Region): SeenPoint? = NearestFragment(this, area).apply { draw(content, 0) }.point()
 
     override fun toString(): String = "Frame($raster, $region, ${content.size} primitives)"
+
+    /**
+     * What is seen at a sample of a frame, see [Frame.at]. Immutable.
+     *
+     * @property depth depth of the sample, 0..2^31-1, see [Depth]
+     * @property primitive submission index of the visible primitive
+     */
+    public class SeenPoint internal constructor(
+        frame: Frame,
+        column: Int,
+        row: Int,
+        public val depth: Int,
+        public val primitive: Int,
+        seen: Primitive,
+    ) {
+        private val view = frame.content.view
+
+        /** Number of the surface in `Scene.surfaces`, from 0; 0 for all primitives of a frame without a scene. */
+        public val surface: Int = view.objectOf(primitive)
+
+        /** Name of the surface, the path of its part in the file; empty if it has none. */
+        public val part: String = view.objectNames.getOrElse(surface) { "" }
+
+        /** Number of the triangle in its mesh, or of any other primitive in its surface, from 0. */
+        public val triangle: Int = primitive - view.firstOf(surface)
+
+        /** Position in world space; in pixels for what is given on the screen. 0 for what has none, such as edges. */
+        public val x: Double
+        public val y: Double
+        public val z: Double
+
+        /** Texture coordinates of the first set; v increases downward. 0 for surfaces without them. */
+        public val u: Float
+        public val v: Float
+
+        /**
+         * Distance from the eye along the line of sight, in units of the scene. Without a scene, 0 at the near plane
+         * and 1 at the far plane.
+         */
+        public val distance: Double
+
+        init {
+            val fragment = Fragment()
+            fragment.moveTo(column, row)
+            distance = view.distance(frame.raster.convention.toUnit(depth), seen, fragment)
+            fragment.moveTo(column, row)
+            seen.geometry(fragment)
+            x = view.originX + fragment.worldX
+            y = view.originY + fragment.worldY
+            z = view.originZ + fragment.worldZ
+            u = fragment.u
+            v = fragment.v
+        }
+
+        override fun toString(): String =
+            "SeenPoint(surface $surface '$part', triangle $triangle, ($x, $y, $z), uv ($u, $v), distance $distance)"
+    }
 }
 
 /** The fragment of the samples of [area] that wins the depth test. */
@@ -179,7 +237,8 @@ private class NearestFragment(private val frame: Frame, private val area: Region
         }
     }
 
-    fun point(): SeenPoint? = seen?.let { SeenPoint(frame, x, y, test.depthOf(least), test.indexOf(least), it) }
+    fun point(): Frame.SeenPoint? =
+        seen?.let { Frame.SeenPoint(frame, x, y, test.depthOf(least), test.indexOf(least), it) }
 }
 
 /**

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.lazyz.Frame.SeenPoint;
 import dev.lazyz.StreamingRenderer.Rendering;
 import dev.lazyz.setup.FrameBuilder;
 import dev.lazyz.strategies.lazy.LazyRenderer;

@@ -4,7 +4,6 @@ import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.Box
 import dev.lazyz.lighting.GroundShadow
 import dev.lazyz.sections.Section
-import dev.lazyz.sections.SectionPlane
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.tiled.TiledRenderer
@@ -141,7 +140,7 @@ class OwnPrimitiveTest {
         // Its material decides about exposure, sections and shadows
         val metal = Scene(listOf(Flag(Material().asMetallicRoughness().withSides(Sides.FRONT))))
         assertEquals(ToneMapping.Curve.NEUTRAL, metal.effectiveToneMapping.curve)
-        val cut = Section(listOf(SectionPlane.x(0.0))).of(metal).scene.surfaces.single()
+        val cut = Section(listOf(Section.Plane.x(0.0))).of(metal).scene.surfaces.single()
         assertEquals(Sides.BOTH, cut.material?.sides)
         val glass = Material(Rgba(1f, 1f, 1f, 0.5f), alphaMode = AlphaMode.BLEND)
         val above = Camera.orthographic(Vector3d(0.0, 5.0, 0.0), Vector3d(), Vector3d(0.0, 0.0, -1.0), 6.0, 0.1, 10.0)

@@ -1,5 +1,6 @@
 package dev.lazyz
 
+import dev.lazyz.Frame.SeenPoint
 import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovFrame
 import dev.lazyz.aov.AovFrame.AovImages

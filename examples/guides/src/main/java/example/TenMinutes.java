@@ -11,7 +11,7 @@ import dev.lazyz.Image;
 import dev.lazyz.RenderOptions;
 import dev.lazyz.Renderer;
 import dev.lazyz.Rgba;
-import dev.lazyz.SeenPoint;
+import dev.lazyz.Frame.SeenPoint;
 import dev.lazyz.lighting.LightRig;
 import dev.lazyz.scenes.LoadedScene;
 import dev.lazyz.scenes.formats.Scenes;

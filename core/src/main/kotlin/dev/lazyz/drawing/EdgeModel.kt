@@ -1,6 +1,7 @@
 package dev.lazyz.drawing
 
 import dev.lazyz.Checkpoint
+import dev.lazyz.drawing.EdgeDrawing.LineKind
 import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.geometry.FillRule
 import dev.lazyz.geometry.Vectors

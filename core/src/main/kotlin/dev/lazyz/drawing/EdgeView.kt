@@ -2,6 +2,7 @@ package dev.lazyz.drawing
 
 import dev.lazyz.Checkpoint
 import dev.lazyz.Workers
+import dev.lazyz.drawing.EdgeDrawing.LineKind
 import dev.lazyz.drawing.EdgeStyle.EdgeSet
 
 /**

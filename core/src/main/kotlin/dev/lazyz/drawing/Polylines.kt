@@ -1,6 +1,7 @@
 package dev.lazyz.drawing
 
 import dev.lazyz.Checkpoint
+import dev.lazyz.drawing.EdgeDrawing.LineKind
 import dev.lazyz.geometry.DistinctTriples
 import kotlin.math.ceil
 import kotlin.math.floor

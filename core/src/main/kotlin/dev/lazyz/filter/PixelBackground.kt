@@ -18,6 +18,55 @@ public interface PixelBackground {
      * @throws IllegalArgumentException if the region reaches below the picture
      */
     public fun behind(region: Region, height: Int, sink: RowSink): RowSink
+
+    /**
+     * A background that changes evenly from the top of a picture to its bottom.
+     *
+     * ```
+     * val sky = VerticalGradient(Rgba.ofRgb(0x7FB2E5), Rgba.WHITE)
+     * val frame = scene.frame(Raster(640, 480, Rgba.TRANSPARENT))
+     * renderer.render(frame, sky.behind(frame.region, 480, sink))
+     * ```
+     *
+     * With [SuperSampling], the gradient is behind the pixels, not the samples.
+     *
+     * The gradient is linear in the codes of sRGB, as in CSS ("CSS Images Level 3", section 3.4), which looks even. Its
+     * colour in row y, counted from 0, is that at (y + 1/2) / height of the way. Translucent pixels have 8 bits a
+     * component before they are composited.
+     *
+     * Immutable and thread safe. Cost: a product for each translucent pixel; no memory.
+     *
+     * @property top the colour at the upper edge
+     * @property bottom the colour at the lower edge
+     * @throws IllegalArgumentException if a colour is not opaque
+     */
+    public class VerticalGradient(public val top: Rgba, public val bottom: Rgba) : PixelBackground {
+        init {
+            require(top.alpha >= 1f && bottom.alpha >= 1f) { "colours of a gradient must be opaque: $top, $bottom" }
+        }
+
+        private val first = top.toArgb()
+        private val last = bottom.toArgb()
+
+        override fun behind(region: Region, height: Int, sink: RowSink): RowSink {
+            require(region.rowEnd <= height) { "$region must be within $height rows" }
+            return RowSink { y, argb, depth, primitive ->
+                val way = (y + 0.5) / height
+                val light = DoubleArray(3) { component(16 - 8 * it, way) }
+                for (x in 0 until region.width) argb[x] = composited(argb[x], light)
+                sink.row(y, argb, depth, primitive)
+            }
+        }
+
+        /** Returns red, green or blue of one row: the 8 bits from [shift] on. */
+        private fun component(shift: Int, way: Double): Double {
+            val from = first ushr shift and 0xFF
+            val to = last ushr shift and 0xFF
+            return Srgb.decode((from + (to - from) * way) / 255.0)
+        }
+
+        override fun toString(): String = "VerticalGradient($top, $bottom)"
+    }
 }
 
 /** Returns the pixel [argb] in front of red, green and blue [light], opaque. */
@@ -31,53 +80,4 @@ internal fun composited(argb: Int, light: DoubleArray): Int {
         pixel = pixel shl 8 or Srgb.encode(sum.toFloat())
     }
     return pixel
-}
-
-/**
- * A background that changes evenly from the top of a picture to its bottom.
- *
- * ```
- * val sky = VerticalGradient(Rgba.ofRgb(0x7FB2E5), Rgba.WHITE)
- * val frame = scene.frame(Raster(640, 480, Rgba.TRANSPARENT))
- * renderer.render(frame, sky.behind(frame.region, 480, sink))
- * ```
- *
- * With [SuperSampling], the gradient is behind the pixels, not the samples.
- *
- * The gradient is linear in the codes of sRGB, as in CSS ("CSS Images Level 3", section 3.4), which looks even. Its
- * colour in row y, counted from 0, is that at (y + 1/2) / height of the way. Translucent pixels have 8 bits a component
- * before they are composited.
- *
- * Immutable and thread safe. Cost: a product for each translucent pixel; no memory.
- *
- * @property top the colour at the upper edge
- * @property bottom the colour at the lower edge
- * @throws IllegalArgumentException if a colour is not opaque
- */
-public class VerticalGradient(public val top: Rgba, public val bottom: Rgba) : PixelBackground {
-    init {
-        require(top.alpha >= 1f && bottom.alpha >= 1f) { "colours of a gradient must be opaque: $top, $bottom" }
-    }
-
-    private val first = top.toArgb()
-    private val last = bottom.toArgb()
-
-    override fun behind(region: Region, height: Int, sink: RowSink): RowSink {
-        require(region.rowEnd <= height) { "$region must be within $height rows" }
-        return RowSink { y, argb, depth, primitive ->
-            val way = (y + 0.5) / height
-            val light = DoubleArray(3) { component(16 - 8 * it, way) }
-            for (x in 0 until region.width) argb[x] = composited(argb[x], light)
-            sink.row(y, argb, depth, primitive)
-        }
-    }
-
-    /** Returns red, green or blue of one row: the 8 bits from [shift] on. */
-    private fun component(shift: Int, way: Double): Double {
-        val from = first ushr shift and 0xFF
-        val to = last ushr shift and 0xFF
-        return Srgb.decode((from + (to - from) * way) / 255.0)
-    }
-
-    override fun toString(): String = "VerticalGradient($top, $bottom)"
 }

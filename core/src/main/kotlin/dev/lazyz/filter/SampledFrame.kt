@@ -2,13 +2,13 @@ package dev.lazyz.filter
 
 import dev.lazyz.Counters
 import dev.lazyz.Frame
+import dev.lazyz.Frame.SeenPoint
 import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderedRows
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.SeenPoint
 import dev.lazyz.filter.SuperSampling.PixelFilter
 import dev.lazyz.spi.ShadingObserver
 import java.io.IOException

@@ -4,13 +4,14 @@ import dev.lazyz.Checkpoint
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.geometry.DistinctTriples
 import dev.lazyz.geometry.FaceNormal
+import dev.lazyz.sections.Section
 import dev.lazyz.world.surface.Mesh
 
 /**
  * One mesh and one plane: what remains of the mesh, and the contours of the cut. A point between two vertices depends
  * only on their positions, so triangles that meet, also those of different meshes, get the same bits. Not thread safe.
  */
-internal class MeshCut(private val mesh: Mesh, plane: SectionPlane) {
+internal class MeshCut(private val mesh: Mesh, plane: Section.Plane) {
     private val p = mesh.positions
     private val triangles = mesh.triangles
 

@@ -4,7 +4,8 @@ import dev.lazyz.Rgba
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.geometry.FillRule
 import dev.lazyz.geometry.Vectors
-import dev.lazyz.geometry.VertexTransforms
+import dev.lazyz.spi.Fragment
+import dev.lazyz.spi.Shader
 import dev.lazyz.world.Scene
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.Sides
@@ -16,6 +17,7 @@ import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Polygon.Vertex
 import dev.lazyz.world.surface.Surface
 import java.util.function.UnaryOperator
+import kotlin.math.floor
 import org.joml.Vector3d
 import org.joml.Vector3dc
 
@@ -23,7 +25,7 @@ import org.joml.Vector3dc
  * Cuts a scene by planes, and closes meshes where they are cut. What remains is on the kept side of all [planes].
  *
  * ```
- * val half = Section(listOf(SectionPlane.x(0.5))).of(scene).scene
+ * val half = Section(listOf(Section.Plane.x(0.5))).of(scene).scene
  * ```
  *
  * A mesh that is closed gets a cap on each plane: a [Polygon] of the contours in which the plane cuts it, with the
@@ -42,7 +44,7 @@ import org.joml.Vector3dc
  * @param capMaterial returns the material of a cap from that of its mesh; by default [darkened]
  */
 public class Section @JvmOverloads constructor(
-    public val planes: List<SectionPlane>,
+    public val planes: List<Plane>,
     private val capMaterial: UnaryOperator<Material> = UnaryOperator { darkened(it) },
 ) {
     /** The planes without those that are there already. Adding 0 makes -0 equal to 0. */
@@ -76,7 +78,7 @@ public class Section @JvmOverloads constructor(
         surface
     }
 
-    private fun cut(surface: Surface, plane: SectionPlane): Surface? {
+    private fun cut(surface: Surface, plane: Plane): Surface? {
         endIfInterrupted()
         return when (surface) {
             is Mesh -> MeshCut(surface, plane).kept()
@@ -87,7 +89,7 @@ public class Section @JvmOverloads constructor(
         }
     }
 
-    private fun cut(polygon: Polygon, plane: SectionPlane): Polygon? {
+    private fun cut(polygon: Polygon, plane: Plane): Polygon? {
         // A polygon with a vertex that is not finite covers nothing, and must not become one that does
         if (!polygon.contours.all { contour -> contour.all { it.isFinite } }) return polygon
         if (polygon.contours.all { contour -> contour.all { plane.height(it.x, it.y, it.z) <= 0.0 } }) return polygon
@@ -97,7 +99,7 @@ public class Section @JvmOverloads constructor(
     }
 
     /** Returns the caps of [meshes] on [plane], cut by the other planes. */
-    private fun caps(meshes: List<Mesh>, plane: SectionPlane, warnings: MutableList<String>): List<Polygon> {
+    private fun caps(meshes: List<Mesh>, plane: Plane, warnings: MutableList<String>): List<Polygon> {
         val caps = ArrayList<Polygon?>()
         var open = 0
 
@@ -123,7 +125,7 @@ public class Section @JvmOverloads constructor(
     }
 
     /** Returns the cap in [contours], which begin in [mesh] and get the material made of its own, and its name. */
-    private fun cap(contours: Contours, mesh: Mesh, plane: SectionPlane): Polygon? {
+    private fun cap(contours: Contours, mesh: Mesh, plane: Plane): Polygon? {
         val origin = mesh.origin
         val loops = contours.loops().map { loop ->
             List(loop.size / 3) {
@@ -148,6 +150,91 @@ public class Section @JvmOverloads constructor(
         override fun toString(): String = "Cut($scene, ${warnings.size} warnings)"
     }
 
+    /**
+     * A plane that cuts a scene. What is on the side that [normal] points to is removed: all points p whose product
+     * with the normal, at unit length, is greater than [distance]. Immutable.
+     *
+     * @param normal points to the removed side, of any length
+     * @property distance distance of the plane from the world's origin along the normal, world units
+     * @throws IllegalArgumentException if the normal is zero, or a number is not finite
+     */
+    public class Plane(normal: Vector3dc, public val distance: Double) {
+        /** Points to the removed side; unit length. */
+        public val normal: Vector3dc
+
+        init {
+            require(distance.isFinite()) { "distance must be finite: $distance" }
+            this.normal = Vectors.unit(normal, "normal")
+        }
+
+        /** Returns the distance of ([x], [y], [z]) from the plane, world units, above 0 on the removed side. */
+        internal fun height(x: Double, y: Double, z: Double): Double {
+            val height = normal.x() * x + normal.y() * y + normal.z() * z - distance
+            val size = StrictMath.abs(normal.x() * x) + StrictMath.abs(normal.y() * y) + StrictMath.abs(normal.z() * z)
+
+            // What differs from 0 only by rounding is on the plane
+            return if (StrictMath.abs(height) <= ROUNDING * (size + StrictMath.abs(distance))) 0.0 else height
+        }
+
+        override fun toString(): String = "${normal.x()},${normal.y()},${normal.z()},$distance"
+
+        public companion object {
+            /** More than the rounding error of a height, as a part of its terms. */
+            private const val ROUNDING = 1e-13
+
+            /** Returns the plane [x] that removes what has a greater x. */
+            @JvmStatic
+            public fun x(x: Double): Plane = Plane(Vector3d(1.0, 0.0, 0.0), x)
+
+            /** Returns the plane [y] that removes what has a greater y. */
+            @JvmStatic
+            public fun y(y: Double): Plane = Plane(Vector3d(0.0, 1.0, 0.0), y)
+
+            /** Returns the plane [z] that removes what has a greater z. */
+            @JvmStatic
+            public fun z(z: Double): Plane = Plane(Vector3d(0.0, 0.0, 1.0), z)
+        }
+
+        /** Returns the same plane, which removes the other side. */
+        public fun reversed(): Plane =
+            Plane(Vector3d(-normal.x(), -normal.y(), -normal.z()), -distance)
+    }
+
+    /**
+     * Colours a surface with parallel stripes, as caps in technical drawings. The stripes are where planes with the
+     * normal (1, 1, 1) meet the surface: on a plane along two axes of the world, they are at 45 degrees. Light has no
+     * effect.
+     *
+     * @property period distance of two such planes times the square root of 3: distance of the stripes along an axis,
+     *   world units, above 0
+     * @property share width of a stripe, as a part of the period, 0..1
+     * @property stripe colour of the stripes
+     * @property ground colour between them
+     * @throws IllegalArgumentException if a number is out of range
+     */
+    public class Hatching(
+        public val period: Double,
+        public val share: Double,
+        public val stripe: Rgba,
+        public val ground: Rgba,
+    ) : Shader {
+        init {
+            require(period > 0.0 && period.isFinite()) { "period must be positive: $period" }
+            require(share in 0.0..1.0) { "share must be in 0..1: $share" }
+        }
+
+        override fun shade(fragment: Fragment) {
+            val place = (fragment.worldX.toDouble() + fragment.worldY + fragment.worldZ) / period
+            val color = if (place - floor(place) < share) stripe else ground
+            fragment.setColor(color.red, color.green, color.blue, color.alpha)
+        }
+
+        /** Returns a material with these stripes. */
+        public fun material(): Material = Material(ground, shader = this)
+
+        override fun toString(): String = "Hatching($period, $share, $stripe, $ground)"
+    }
+
     public companion object {
         /** The part of the light that remains in [darkened]. */
         private const val DARK = 0.6f
@@ -167,102 +254,4 @@ public class Section @JvmOverloads constructor(
                 material.metallicRoughness?.let { MetallicRoughness(it.metallic, it.roughness) },
             )
     }
-}
-
-/** Cuts points and lines by a plane. */
-internal object SparseCut {
-    /** Returns the points that are kept; null if there is none. */
-    fun of(points: Points, plane: SectionPlane): Points? {
-        val p = points.positions
-        val kept = (0 until p.size / 3).filter { height(p, points.origin, it, plane) <= 0.0 }.toIntArray()
-        if (kept.isEmpty()) return null
-        return Points(
-            VertexTransforms.gathered(p, kept, 3), points.size, points.material,
-            points.normals?.let { VertexTransforms.gathered(it, kept, 3) },
-            points.colors?.let { VertexTransforms.gathered(it, kept, 4) }, points.origin, points.name,
-        )
-    }
-
-    /** Returns the parts of the segments that are kept; null if there is none. */
-    fun of(lines: Lines, plane: SectionPlane): Lines? {
-        val p = lines.positions
-        val colors = lines.colors
-        val positions = ArrayList<Float>()
-        val shades = ArrayList<Float>()
-        fun add(array: FloatArray, width: Int, a: Int, b: Int, t: Double, out: MutableList<Float>) {
-            for (k in 0 until width) {
-                val from = array[width * a + k].toDouble()
-                out += (from + t * (array[width * b + k] - from)).toFloat()
-            }
-        }
-        for (i in lines.segments.indices step 2) {
-            val a = lines.segments[i]
-            val b = lines.segments[i + 1]
-            val heightA = height(p, lines.origin, a, plane)
-            val heightB = height(p, lines.origin, b, plane)
-            if (!(heightA <= 0.0 || heightB <= 0.0)) continue
-            val t = heightA / (heightA - heightB)
-            for (place in listOf(if (heightA > 0.0) t else 0.0, if (heightB > 0.0) t else 1.0)) {
-                add(p, 3, a, b, place, positions)
-                if (colors != null) add(colors, 4, a, b, place, shades)
-            }
-        }
-        if (positions.isEmpty()) return null
-        val segments = IntArray(positions.size / 3) { it }
-        val all = if (colors == null) null else shades.toFloatArray()
-        return Lines(positions.toFloatArray(), segments, lines.width, lines.material, all, lines.origin, lines.name)
-    }
-
-    private fun height(p: FloatArray, origin: Vector3dc, i: Int, plane: SectionPlane): Double =
-        plane.height(p[3 * i] + origin.x(), p[3 * i + 1] + origin.y(), p[3 * i + 2] + origin.z())
-}
-
-/**
- * A plane that cuts a scene. What is on the side that [normal] points to is removed: all points p whose product with
- * the normal, at unit length, is greater than [distance]. Immutable.
- *
- * @param normal points to the removed side, of any length
- * @property distance distance of the plane from the world's origin along the normal, world units
- * @throws IllegalArgumentException if the normal is zero, or a number is not finite
- */
-public class SectionPlane(normal: Vector3dc, public val distance: Double) {
-    /** Points to the removed side; unit length. */
-    public val normal: Vector3dc
-
-    init {
-        require(distance.isFinite()) { "distance must be finite: $distance" }
-        this.normal = Vectors.unit(normal, "normal")
-    }
-
-    /** Returns the distance of the point ([x], [y], [z]) from the plane, positive on the removed side, world units. */
-    internal fun height(x: Double, y: Double, z: Double): Double {
-        val height = normal.x() * x + normal.y() * y + normal.z() * z - distance
-        val size = StrictMath.abs(normal.x() * x) + StrictMath.abs(normal.y() * y) + StrictMath.abs(normal.z() * z)
-
-        // What differs from 0 only by rounding is on the plane
-        return if (StrictMath.abs(height) <= ROUNDING * (size + StrictMath.abs(distance))) 0.0 else height
-    }
-
-    override fun toString(): String = "${normal.x()},${normal.y()},${normal.z()},$distance"
-
-    public companion object {
-        /** More than the rounding error of a height, as a part of its terms. */
-        private const val ROUNDING = 1e-13
-
-        /** Returns the plane [x] that removes what has a greater x. */
-        @JvmStatic
-        public fun x(x: Double): SectionPlane = SectionPlane(Vector3d(1.0, 0.0, 0.0), x)
-
-        /** Returns the plane [y] that removes what has a greater y. */
-        @JvmStatic
-        public fun y(y: Double): SectionPlane = SectionPlane(Vector3d(0.0, 1.0, 0.0), y)
-
-        /** Returns the plane [z] that removes what has a greater z. */
-        @JvmStatic
-        public fun z(z: Double): SectionPlane = SectionPlane(Vector3d(0.0, 0.0, 1.0), z)
-    }
-
-    /** Returns the same plane, which removes the other side. */
-    public fun reversed(): SectionPlane =
-        SectionPlane(Vector3d(-normal.x(), -normal.y(), -normal.z()), -distance)
 }

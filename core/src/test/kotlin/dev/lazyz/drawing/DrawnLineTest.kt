@@ -2,11 +2,12 @@ package dev.lazyz.drawing
 
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
+import dev.lazyz.drawing.EdgeDrawing.DrawnLine
+import dev.lazyz.drawing.EdgeDrawing.LineKind
 import dev.lazyz.drawing.EdgeStyle.EdgeSet
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
-import dev.lazyz.sections.Hatching
 import dev.lazyz.sections.Section
-import dev.lazyz.sections.SectionPlane
+import dev.lazyz.sections.Section.Hatching
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.Camera
@@ -104,7 +105,7 @@ class DrawnLineTest {
         val all = kinds(listOf(Solids.sphere(20, 10)), EdgeStyle(EdgeSet.ALL))
         assertEquals(setOf(LineKind.OUTLINE, LineKind.FACET), all)
 
-        val cut = Section(listOf(SectionPlane.x(0.2))).of(Scene(listOf(Solids.cube()))).scene.surfaces
+        val cut = Section(listOf(Section.Plane.x(0.2))).of(Scene(listOf(Solids.cube()))).scene.surfaces
         val lines = drawing(cut).lines(pixels, orthographic)
         assertEquals(setOf(LineKind.SECTION, LineKind.CREASE), lines.map { it.kind }.toSet())
         val section = lines.single { it.kind == LineKind.SECTION }.points
@@ -127,7 +128,7 @@ class DrawnLineTest {
     @Test
     fun rule_10_4_capsShowTheirFrontOrNothing() {
         val hatching = Hatching(0.25, 0.2, Rgba.BLACK, Rgba.WHITE)
-        val section = Section(listOf(SectionPlane.x(0.2))) { hatching.material() }
+        val section = Section(listOf(Section.Plane.x(0.2))) { hatching.material() }
         val cut = section.of(Scene(listOf(Solids.cube()))).scene.surfaces
         assertEquals(listOf(false, true), cut.map { it is Polygon && it.isCap })
         val left = Camera.orthographic(Vector3d(-3.0, 2.0, 6.0), Vector3d(), up, 4.0, 1.0, 20.0)

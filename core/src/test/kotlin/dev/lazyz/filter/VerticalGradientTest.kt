@@ -4,6 +4,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
+import dev.lazyz.filter.PixelBackground.VerticalGradient
 import dev.lazyz.spi.Srgb
 import java.util.Random
 import org.junit.jupiter.api.Assertions.assertEquals

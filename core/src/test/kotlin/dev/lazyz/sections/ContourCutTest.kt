@@ -2,6 +2,7 @@ package dev.lazyz.sections
 
 import dev.lazyz.drawing.Solids
 import dev.lazyz.geometry.FillRule
+import dev.lazyz.sections.Section
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
@@ -14,10 +15,10 @@ import org.junit.jupiter.api.Test
 
 /** Where a plane cuts polygons, their sides in the plane are sides of what remains. */
 class ContourCutTest {
-    private fun polygons(surface: Surface, vararg planes: SectionPlane): List<Polygon> =
+    private fun polygons(surface: Surface, vararg planes: Section.Plane): List<Polygon> =
         Section(planes.toList()).of(Scene(listOf(surface))).scene.surfaces.filterIsInstance<Polygon>()
 
-    private fun cut(polygon: Polygon, plane: SectionPlane): List<List<Vertex>> =
+    private fun cut(polygon: Polygon, plane: Section.Plane): List<List<Vertex>> =
         polygons(polygon, plane).singleOrNull()?.contours.orEmpty()
 
     private fun sides(contours: List<List<Vertex>>): List<Pair<Vertex, Vertex>> =
@@ -44,7 +45,7 @@ class ContourCutTest {
             outside.triangles + bore.triangles.reversedArray().map { it + 8 }.toIntArray(),
         )
         for (planes in listOf(
-            listOf(SectionPlane.y(0.3), SectionPlane.x(0.05)), listOf(SectionPlane.x(0.05), SectionPlane.y(0.3)),
+            listOf(Section.Plane.y(0.3), Section.Plane.x(0.05)), listOf(Section.Plane.x(0.05), Section.Plane.y(0.3)),
         )) {
             val caps = polygons(pipe, *planes.toTypedArray())
             val across = caps[planes.indexOfFirst { it.normal.y() == 1.0 }]
@@ -66,7 +67,7 @@ class ContourCutTest {
             }
             if (contours.flatten().all { it.y <= 3.0 }) return@repeat
             val rule = FillRule.entries[number % 2]
-            val cut = cut(Polygon(contours, fillRule = rule), SectionPlane.y(3.0))
+            val cut = cut(Polygon(contours, fillRule = rule), Section.Plane.y(3.0))
             for ((a, b) in sides(cut)) {
                 if (a.y != 3.0 || b.y != 3.0 || StrictMath.abs(a.x - b.x) < 1e-6) continue
                 val between = a.x + 0.4831 * (b.x - a.x)

@@ -5,9 +5,8 @@ import dev.lazyz.drawing.EdgeStyle
 import dev.lazyz.drawing.EdgeStyle.EdgeSet
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.geometry.FillRule
-import dev.lazyz.sections.Hatching
 import dev.lazyz.sections.Section
-import dev.lazyz.sections.SectionPlane
+import dev.lazyz.sections.Section.Hatching
 import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
@@ -40,12 +39,12 @@ internal object GoldenDrawings {
         "section" to { section(Section(listOf(tilted))) },
         "section-hatched" to {
             val hatching = Hatching(0.3, 0.4, Rgba(0.1f, 0.1f, 0.3f), Rgba(0.9f, 0.9f, 0.7f))
-            val planes = listOf(tilted, SectionPlane.x(0.3), SectionPlane.y(0.25))
+            val planes = listOf(tilted, Section.Plane.x(0.3), Section.Plane.y(0.25))
             EdgeStyle(width = 1.2).drawnOn(section(Section(planes) { hatching.material() }))
         },
     )
 
-    private val tilted = SectionPlane(Vector3d(0.3, 0.2, 1.0), 0.2)
+    private val tilted = Section.Plane(Vector3d(0.3, 0.2, 1.0), 0.2)
 
     private fun drawn(style: EdgeStyle, viewpoint: Camera): Scene =
         style.drawnOn(Scene(solids(), viewpoint = viewpoint))

@@ -2,9 +2,9 @@ package dev.lazyz.scenes
 
 import dev.lazyz.Rgba
 import dev.lazyz.ShadingRate
+import dev.lazyz.filter.PixelBackground.VerticalGradient
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter
-import dev.lazyz.filter.VerticalGradient
 
 /**
  * How a scene of [GoldenTest] becomes pixels, other than by one sample a pixel in front of one colour.

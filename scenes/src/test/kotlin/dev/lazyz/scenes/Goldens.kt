@@ -5,9 +5,9 @@ import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
+import dev.lazyz.filter.PixelBackground.VerticalGradient
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
-import dev.lazyz.filter.VerticalGradient
 import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.world.Scene

@@ -17,7 +17,6 @@ import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.pictures.PictureStyle
 import dev.lazyz.scenes.writers.writePng
 import dev.lazyz.sections.Section
-import dev.lazyz.sections.SectionPlane
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Scene
 import java.nio.file.Path
@@ -44,7 +43,7 @@ internal object PageCode {
     }
 
     fun drawing(scene: Scene): Image {
-        val half = Section(listOf(SectionPlane.z(0.0))).of(scene)
+        val half = Section(listOf(Section.Plane.z(0.0))).of(scene)
         val drawing = EdgeStyle().withWidth(1.5).withHidden(HiddenLines.DASHED).drawnOn(half.scene)
         val image = SuperSampling(4).frame(drawing, Raster(640, 480)).render(TiledRenderer())
         return image

@@ -6,7 +6,6 @@ import dev.lazyz.aov.AovFrame
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.sections.Section
-import dev.lazyz.sections.SectionPlane
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
@@ -77,7 +76,7 @@ class SurfaceNamesTest {
 
     @Test
     fun whatIsCutAndItsCapKeepTheName() {
-        val cut = Section(listOf(SectionPlane.x(0.25))).of(Scene(all)).scene
+        val cut = Section(listOf(Section.Plane.x(0.25))).of(Scene(all)).scene
         assertEquals(all.map { it.name } + "car/wheel", cut.surfaces.map { it.name })
     }
 

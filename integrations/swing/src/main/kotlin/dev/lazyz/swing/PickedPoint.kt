@@ -1,6 +1,6 @@
 package dev.lazyz.swing
 
-import dev.lazyz.SeenPoint
+import dev.lazyz.Frame.SeenPoint
 import dev.lazyz.scenes.pictures.PictureFrame
 import org.joml.Vector3d
 import org.joml.Vector3dc

@@ -3,7 +3,7 @@ package dev.lazyz.scenes.pictures
 import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Rgba
-import dev.lazyz.filter.VerticalGradient
+import dev.lazyz.filter.PixelBackground.VerticalGradient
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.text.EditDistance
 import java.nio.file.Path

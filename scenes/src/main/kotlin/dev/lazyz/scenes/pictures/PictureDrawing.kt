@@ -4,13 +4,13 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
-import dev.lazyz.drawing.DrawnCap
-import dev.lazyz.drawing.DrawnLine
+import dev.lazyz.drawing.EdgeDrawing.DrawnCap
+import dev.lazyz.drawing.EdgeDrawing.DrawnLine
 import dev.lazyz.drawing.EdgeStyle
 import dev.lazyz.scenes.LengthUnit
 import dev.lazyz.scenes.writers.AtomicFile
 import dev.lazyz.scenes.writers.SvgWriter
-import dev.lazyz.sections.Hatching
+import dev.lazyz.sections.Section.Hatching
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.Camera

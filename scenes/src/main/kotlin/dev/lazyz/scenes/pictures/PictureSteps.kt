@@ -20,7 +20,7 @@ import dev.lazyz.lighting.Matcap
 import dev.lazyz.scenes.DepthRules
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadedScene
-import dev.lazyz.sections.SectionPlane
+import dev.lazyz.sections.Section
 import dev.lazyz.spi.Shader
 import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.Camera
@@ -51,7 +51,7 @@ internal class PictureSteps(
      * @property intensity the factor of light for models whose light nobody chose
      * @property planes the planes that cut
      */
-    class Stage(val camera: Camera, val raster: Raster, val intensity: Float, val planes: List<SectionPlane>)
+    class Stage(val camera: Camera, val raster: Raster, val intensity: Float, val planes: List<Section.Plane>)
 
     private val settings = chosen.withFile(loaded.picture)
     private val names = settings.names
@@ -154,7 +154,7 @@ internal class PictureSteps(
         fun shadowed() = shadowed(lit, hasFreePlanes)
     }
 
-    private fun planes(): List<SectionPlane> =
+    private fun planes(): List<Section.Plane> =
         stage?.planes ?: settings[PictureParameters.CUT].orEmpty().map { it.plane(loaded.scene) }
 
     private fun raster(scene: Scene): Raster {

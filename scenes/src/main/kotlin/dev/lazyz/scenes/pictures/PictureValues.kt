@@ -2,10 +2,9 @@ package dev.lazyz.scenes.pictures
 
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
-import dev.lazyz.filter.VerticalGradient
-import dev.lazyz.sections.Hatching
+import dev.lazyz.filter.PixelBackground.VerticalGradient
 import dev.lazyz.sections.Section
-import dev.lazyz.sections.SectionPlane
+import dev.lazyz.sections.Section.Hatching
 import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.FittedViewpoint.Fit
 import dev.lazyz.world.material.Material
@@ -79,9 +78,9 @@ public class CameraChoice private constructor(private val text: String, internal
  *
  * @property text the plane as [parse] reads it
  */
-public class CutPlane private constructor(public val text: String, private val place: (Scene) -> SectionPlane) {
+public class CutPlane private constructor(public val text: String, private val place: (Scene) -> Section.Plane) {
     /** Returns the plane in [scene], which percentages refer to. */
-    public fun plane(scene: Scene): SectionPlane = place(scene)
+    public fun plane(scene: Scene): Section.Plane = place(scene)
 
     override fun toString(): String = text
 
@@ -104,7 +103,7 @@ public class CutPlane private constructor(public val text: String, private val p
             val isReversed = name.startsWith('-')
             return CutPlane(text) { scene ->
                 val at = if (place.endsWith('%')) fraction(scene, axis, number / 100) else number
-                val plane = SectionPlane(Vector3d().setComponent(axis, 1.0), at)
+                val plane = Section.Plane(Vector3d().setComponent(axis, 1.0), at)
                 if (isReversed) plane.reversed() else plane
             }
         }
@@ -125,7 +124,7 @@ public class CutPlane private constructor(public val text: String, private val p
             val square = a * a + b * b + c * c
             if (!(square > 0.0 && square.isFinite() && d.isFinite())) return null
             val length = StrictMath.sqrt(square)
-            return CutPlane(text) { SectionPlane(Vector3d(a, b, c), d / length) }
+            return CutPlane(text) { Section.Plane(Vector3d(a, b, c), d / length) }
         }
     }
 }
@@ -136,7 +135,7 @@ internal class PictureCuts(private val settings: PictureSettings, private val ob
     private val isTechnical = settings[PictureParameters.STYLE] == PictureStyle.TECHNICAL
 
     /** Returns [scene] without what is beyond [planes], one for each cut, or [scene] itself if there is no cut. */
-    fun of(scene: Scene, planes: List<SectionPlane>): Scene {
+    fun of(scene: Scene, planes: List<Section.Plane>): Scene {
         val cuts = settings[PictureParameters.CUT] ?: return scene
         if (scene.isOnScreen) refuse("${names.of(PictureParameters.CUT)}: a scene given on the screen cannot be cut")
         for ((cut, plane) in cuts.zip(planes)) {
@@ -150,7 +149,7 @@ internal class PictureCuts(private val settings: PictureSettings, private val ob
     }
 
     /** Returns whether nothing of [scene] is beyond [plane]. */
-    private fun isKept(scene: Scene, plane: SectionPlane): Boolean {
+    private fun isKept(scene: Scene, plane: Section.Plane): Boolean {
         val farthest = scene.farthest(plane.normal) ?: return false
         return plane.normal.dot(farthest) <= plane.distance
     }

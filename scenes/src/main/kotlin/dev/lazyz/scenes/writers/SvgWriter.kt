@@ -3,12 +3,12 @@ package dev.lazyz.scenes.writers
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.RowSink
-import dev.lazyz.drawing.DrawnCap
-import dev.lazyz.drawing.DrawnLine
 import dev.lazyz.drawing.EdgeDrawing
+import dev.lazyz.drawing.EdgeDrawing.DrawnCap
+import dev.lazyz.drawing.EdgeDrawing.DrawnLine
+import dev.lazyz.drawing.EdgeDrawing.LineKind
 import dev.lazyz.drawing.EdgeStyle
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
-import dev.lazyz.drawing.LineKind
 import java.io.BufferedOutputStream
 import java.io.OutputStream
 import java.util.Base64

@@ -4,7 +4,7 @@ import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
-import dev.lazyz.filter.VerticalGradient
+import dev.lazyz.filter.PixelBackground.VerticalGradient
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LengthUnit
 import dev.lazyz.scenes.LoadedScene

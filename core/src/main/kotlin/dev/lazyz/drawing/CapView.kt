@@ -1,66 +1,12 @@
 package dev.lazyz.drawing
 
+import dev.lazyz.drawing.EdgeDrawing.DrawnCap
 import dev.lazyz.endIfInterrupted
-import dev.lazyz.sections.Hatching
+import dev.lazyz.sections.Section.Hatching
 import dev.lazyz.world.surface.Polygon
 import kotlin.math.abs
 import kotlin.math.floor
 import org.joml.Vector3dc
-
-/** What a line of a drawing is a part of, see [FeatureEdges]. If several are true, the first one counts. */
-public enum class LineKind {
-    /** An edge of a cap, where a section cut a solid. */
-    SECTION,
-
-    /** A boundary of a mesh, or a side of a polygon. */
-    BOUNDARY,
-
-    /** A crease. */
-    CREASE,
-
-    /** A silhouette. */
-    OUTLINE,
-
-    /** Another edge between two triangles. Only [EdgeStyle.EdgeSet.ALL] has them. */
-    FACET,
-}
-
-/**
- * A visible or hidden part of edges of one kind, joined where two of them meet: a line of a drawing before it becomes
- * samples, see [EdgeDrawing.lines]. Immutable if the array is not changed.
- *
- * @property points columns and rows of its points in turn, two or more points, pixels. The upper left corner of the
- *   raster is (0, 0). If the last point equals the first, the line is closed
- */
-public class DrawnLine internal constructor(
-    public val kind: LineKind,
-    public val isHidden: Boolean,
-    public val points: DoubleArray,
-) {
-    override fun toString(): String = "DrawnLine($kind, hidden $isHidden, ${points.size / 2} points)"
-}
-
-/**
- * A cap on the raster, see [EdgeDrawing.caps]. Immutable if the arrays are not changed.
- *
- * @property cap the cap in the scene
- * @property contours closed contours of what is near the raster, with the non-zero rule: columns and rows of their
- *   points in turn, pixels
- * @property stripes if the material of the cap is a [Hatching], the contours of its stripes, in the same form; none if
- *   there would be more than [MAX_STRIPES], or the cap is more than 2^53 periods from the origin of the scene
- */
-public class DrawnCap internal constructor(
-    public val cap: Polygon,
-    public val contours: List<DoubleArray>,
-    public val stripes: List<DoubleArray>,
-) {
-    override fun toString(): String = "DrawnCap(${contours.size} contours, ${stripes.size} stripes)"
-
-    public companion object {
-        /** The most stripes of a cap. */
-        public const val MAX_STRIPES: Int = 1000
-    }
-}
 
 /**
  * Caps in [space]. A corner has five numbers: those of [ViewSpace], and its place in the hatching, which is linear
