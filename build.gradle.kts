@@ -21,6 +21,7 @@ val javaRelease = 17
 val fatJars = mapOf(
     "cli" to ("zcli" to "dev.lazyz.cli.MainKt"),
     "server" to ("lazyz-server" to "dev.lazyz.server.MainKt"),
+    "mcp" to ("lazyz-mcp" to "dev.lazyz.mcp.MainKt"),
     "jmh" to ("benchmarks" to "org.openjdk.jmh.Main"),
 )
 

@@ -105,6 +105,7 @@ class PackagesTest {
             "strategies.*", "strategies", "planning", "lighting", "aov",
         ).map { if (it.isEmpty()) "dev.lazyz" else "dev.lazyz.$it" }
 
-        val MODULES = listOf("core", "scenes", "conformance", "testing", "server", "spark", "swing", "cli", "jmh")
+        val MODULES =
+            listOf("core", "scenes", "conformance", "testing", "server", "spark", "swing", "mcp", "cli", "jmh")
     }
 }

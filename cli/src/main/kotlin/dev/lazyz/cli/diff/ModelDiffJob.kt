@@ -103,7 +103,7 @@ internal class ModelDiffPage(private val text: ModelDiffText, private val images
             for (change in Change.entries) {
                 val color = "#%06x".format(null, change.color)
                 append("""<li><span class="swatch" style="background:$color"></span> """)
-                appendLine("%s: %,d pixels</li>".format(null, ModelDiffText.word(change), difference.count(change)))
+                appendLine("%s: %,d pixels</li>".format(null, change.id, difference.count(change)))
             }
             appendLine("</ul>")
             numbers()
@@ -124,7 +124,7 @@ internal class ModelDiffPage(private val text: ModelDiffText, private val images
                 val cells = columns.map { ModelDiffText.texts(it, part) }.map { (old, new, _) ->
                     if (old == new) old else "$old → $new"
                 }
-                row(part.name, listOf(ModelDiffText.change(part)) + cells)
+                row(part.name, listOf(part.change) + cells)
             }
         }
     }

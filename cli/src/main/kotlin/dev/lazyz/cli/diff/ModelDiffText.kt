@@ -1,6 +1,6 @@
 package dev.lazyz.cli.diff
 
-import dev.lazyz.cli.output.BlankPictures
+import dev.lazyz.cli.output.Json
 import dev.lazyz.cli.output.counted
 import dev.lazyz.cli.output.printable
 import dev.lazyz.scenes.diff.Measure
@@ -10,14 +10,7 @@ import dev.lazyz.scenes.diff.PartDifference
 import java.math.BigDecimal
 import java.math.MathContext
 import kotlin.math.abs
-import kotlinx.serialization.json.JsonObject
-import kotlinx.serialization.json.JsonObjectBuilder
-import kotlinx.serialization.json.add
-import kotlinx.serialization.json.addJsonObject
-import kotlinx.serialization.json.buildJsonObject
-import kotlinx.serialization.json.put
-import kotlinx.serialization.json.putJsonArray
-import kotlinx.serialization.json.putJsonObject
+import kotlinx.serialization.json.JsonElement
 
 /** The [difference] of the models [old] and [new] as text and as JSON. Scripts depend on the names in [toJson]. */
 internal class ModelDiffText(private val old: String, private val new: String, val difference: ModelDifference) {
@@ -30,7 +23,7 @@ internal class ModelDiffText(private val old: String, private val new: String, v
 
     /** What changed, in words. */
     val pixels: String = Change.entries.joinToString(prefix = "pixels: ") {
-        counted(difference.count(it), word(it), word(it))
+        counted(difference.count(it), it.id, it.id)
     }
 
     /** What is printed. */
@@ -43,55 +36,13 @@ internal class ModelDiffText(private val old: String, private val new: String, v
             append(title(measure).padEnd(COLUMN))
             appendLine(texts(measure, difference.whole).joinToString("") { it.padStart(COLUMN) })
         }
-        for (part in changedParts) appendLine("${change(part)} part: ${printable(part.name)}${details(part)}")
+        for (part in changedParts) appendLine("${part.change} part: ${printable(part.name)}${details(part)}")
     }
 
-    fun toJson(): JsonObject = buildJsonObject {
-        for ((key, file, image) in listOf(
-            Triple("old", old, difference.before), Triple("new", new, difference.after),
-        )) {
-            putJsonObject(key) {
-                put("file", file)
-                put("pixelHash", image.pixelHash())
-                put("blank", BlankPictures.reason(image) != null)
-            }
-        }
-        put("equal", difference.isEqual)
-        put("width", difference.before.width)
-        put("height", difference.before.height)
-        put("cropped", difference.isCropped)
-        putJsonObject("pixels") { for (change in Change.entries) put(word(change), difference.count(change)) }
-        putJsonObject("numbers") { putNumbers(difference.whole) }
-        putJsonArray("parts") {
-            for (part in difference.parts) {
-                addJsonObject {
-                    put("name", part.name)
-                    put("change", change(part))
-                    putJsonObject("numbers") { putNumbers(part) }
-                }
-            }
-        }
-    }
-
-    private fun JsonObjectBuilder.putNumbers(part: PartDifference) {
-        for (measure in Measure.entries) {
-            putJsonArray(measure.id) {
-                for (value in values(measure, part)) add(if (measure.isCount) value?.toLong() else value)
-            }
-        }
-    }
+    fun toJson(): JsonElement = Json.element(difference.toData(old, new))
 
     companion object {
         private const val COLUMN = 14
-
-        /** Returns what happened to [part], in one word. */
-        fun change(part: PartDifference): String = when {
-            part.before == null -> "added"
-            part.after == null -> "removed"
-            else -> if (part.isEqual) "same" else "changed"
-        }
-
-        fun word(change: Change): String = change.name.lowercase()
 
         fun title(measure: Measure): String = measure.name.lowercase().replace('_', ' ')
 

@@ -1,6 +1,9 @@
 package dev.lazyz.cli.output
 
+import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
@@ -56,6 +59,14 @@ internal object Json {
         for (character in element.toString()) {
             if (character in ' '..'~') append(character) else append("\\u%04x".format(null, character.code))
         }
+    }
+
+    /** Returns [data], which consists of maps, lists, numbers, booleans, texts and null, as JSON. */
+    fun element(data: Any?): JsonElement = when (data) {
+        null -> JsonNull
+        is Map<*, *> -> JsonObject(data.entries.associate { (name, value) -> "$name" to element(value) })
+        is List<*> -> JsonArray(data.map(::element))
+        else -> primitive(data)
     }
 
     /** Returns [value], which is a number, a boolean or a text, as JSON. */

@@ -15,6 +15,7 @@ import dev.lazyz.scenes.pictures.PictureObserver
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.pictures.PictureSteps
+import dev.lazyz.scenes.pictures.VisibleRows
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.surface.Surface
 
@@ -62,6 +63,10 @@ public class ModelDifference private constructor(
 
         /** The surface is in the same place and has another colour, or a part of the pixel shows something else. */
         RECOLORED(0xE6C400),
+        ;
+
+        /** Its name in data. */
+        public val id: String get() = name.lowercase()
     }
 
     private val counts = LongArray(Change.entries.size).also { counts -> changes.forEach { counts[it.toInt()]++ } }
@@ -82,6 +87,30 @@ public class ModelDifference private constructor(
         val region = before.region
         require(region.contains(x, y)) { "pixel must be within $region: ($x, $y)" }
         return Change.entries[changes[(y - region.rowStart) * region.width + x - region.columnStart].toInt()]
+    }
+
+    /**
+     * Returns the result as `zcli diff --json` prints it, see `docs/cli.md`: texts, numbers and booleans, in lists, and
+     * in maps by name. Programs depend on the names.
+     *
+     * @param old what the old model is called
+     * @param new what the new model is called
+     */
+    public fun toData(old: String, new: String): Map<String, Any?> = mapOf(
+        "old" to side(old, before),
+        "new" to side(new, after),
+        "equal" to isEqual,
+        "width" to before.width,
+        "height" to before.height,
+        "cropped" to isCropped,
+        "pixels" to Change.entries.associate { it.id to count(it) },
+        "numbers" to whole.toData(),
+        "parts" to parts.map { mapOf("name" to it.name, "change" to it.change, "numbers" to it.toData()) },
+    )
+
+    private fun side(name: String, image: Image): Map<String, Any> {
+        val isBlank = VisibleRows(image.width).apply { add(image) }.blank != null
+        return mapOf("file" to name, "pixelHash" to image.pixelHash(), "blank" to isBlank)
     }
 
     /**

@@ -23,6 +23,9 @@ public abstract class ParameterValues<T : Any> internal constructor(public val f
     /** How a word is completed. */
     public open val completion: WordCompletion get() = WordCompletion.NONE
 
+    /** Whether all words are decimal numbers. */
+    public open val isNumber: Boolean get() = words.isNotEmpty() && words.all { it.toDoubleOrNull() != null }
+
     /**
      * Returns the value that [word] means.
      *
@@ -97,6 +100,8 @@ public class NamedValues<T : Any>(form: String, private val values: Map<String, 
 /** A decimal number in [range]; in messages, [unit] follows the range. */
 public class RangeValues(form: String, private val range: ClosedRange<Double>, private val unit: String) :
     ParameterValues<Double>(form) {
+    override val isNumber: Boolean get() = true
+
     override fun read(word: String): Double = number(word).also { checked(it, word) }
 
     override fun check(value: Double) = checked(value, value)
@@ -109,6 +114,8 @@ public class RangeValues(form: String, private val range: ClosedRange<Double>, p
 
 /** A decimal number that [check] accepts; the message of the exception begins with the name of a property. */
 internal abstract class CheckedValues(form: String) : ParameterValues<Double>(form) {
+    override val isNumber: Boolean get() = true
+
     abstract fun checked(value: Double)
 
     override fun check(value: Double) = try {
@@ -242,6 +249,8 @@ internal class TextValues(form: String) : ParameterValues<String>(form) {
 
 /** Numbers of scenes. */
 internal class ScenesValues : ParameterValues<Int>("N") {
+    override val isNumber: Boolean get() = true
+
     override fun read(word: String): Int =
         word.toIntOrNull()?.takeIf { it >= 0 } ?: unfit("'$word' is not a number, 0 or more")
 }

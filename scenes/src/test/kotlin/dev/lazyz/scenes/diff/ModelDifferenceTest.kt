@@ -73,13 +73,15 @@ class ModelDifferenceTest {
     fun numbersAreThoseOfSolids() {
         val numbers = between(model(cube(side = 4f), cube(9.0)), model(cube(side = 4f), cube(9.0))).whole.before!!
         assertEquals(
-            listOf(72.0, 120.0, -2.0, -2.0, -2.0, 10.0, 2.0, 2.0, 16.0, 24.0, 2.0),
+            listOf(72.0, 120.0, -2.0, -2.0, -2.0, 10.0, 2.0, 2.0, 16.0, 24.0, 2.0, 0.0, 2.0, 0.0),
             Measure.entries.map { numbers[it] },
         )
         val open = Mesh(cube().positions, FACES.copyOf(33), Material())
         val difference = between(model(cube()), model(open))
         assertNull(difference.whole.after!![Measure.VOLUME])
         assertNull(difference.whole.difference(Measure.VOLUME))
+        assertEquals(3.0, difference.whole.after!![Measure.OPEN_EDGES])
+        assertNull(difference.whole.after!![Measure.HOLES])
         assertEquals(-2.0, difference.whole.difference(Measure.AREA))
         assertEquals(8.0, ModelNumbers(listOf(cube(origin = Vector3d(1e7, 0.0, 0.0))))[Measure.VOLUME])
 
@@ -91,6 +93,23 @@ class ModelDifferenceTest {
             Mesh(far.positions, FACES.copyOfRange(half, FACES.size), origin = far.origin),
         )
         assertEquals(8.0, ModelNumbers(halves)[Measure.VOLUME])
+
+        // A ring, a triangle of it twisted to one point
+        val ring = Mesh(
+            FloatArray(3 * 4 * 3) { (it * it * 7 % 31).toFloat() },
+            (0 until 12).flatMap { at ->
+                val (next, up) = (at + 4) % 12 to at / 4 * 4 + (at + 1) % 4
+                val far = (up + 4) % 12
+                listOf(at, next, far, at, far, up)
+            }.toIntArray() + intArrayOf(5, 5, 5),
+        )
+        val ofRing = ModelNumbers(listOf(ring, cube(9.0)))
+        assertEquals(
+            listOf(0.0, 2.0, 1.0),
+            listOf(Measure.OPEN_EDGES, Measure.SHELLS, Measure.HOLES).map {
+                ofRing[it]
+            }
+        )
         val broken = cube().positions.clone().also { it[0] = Float.NaN }
         assertNull(ModelNumbers(listOf(Mesh(broken, FACES)))[Measure.VOLUME])
         assertNull(ModelNumbers(emptyList())[Measure.MIN_X])

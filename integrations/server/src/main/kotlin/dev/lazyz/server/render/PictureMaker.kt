@@ -4,6 +4,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.aov.Aov
 import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
+import dev.lazyz.scenes.ClientText
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat

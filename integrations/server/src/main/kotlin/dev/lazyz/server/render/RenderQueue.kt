@@ -1,5 +1,6 @@
 package dev.lazyz.server.render
 
+import dev.lazyz.scenes.ClientText
 import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.SceneReadException
 import java.time.Duration
