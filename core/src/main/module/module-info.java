@@ -1,4 +1,4 @@
-/** The contract of hidden-surface rendering, eleven renderers that keep it, and the scenes that they draw. */
+/** The contract of hidden-surface rendering, twelve renderers that keep it, and the scenes that they draw. */
 module dev.lazyz.core {
     requires transitive kotlin.stdlib;
     requires transitive kotlinx.coroutines.core;
@@ -16,6 +16,7 @@ module dev.lazyz.core {
     exports dev.lazyz.sections;
     exports dev.lazyz.setup;
     exports dev.lazyz.spi;
+    exports dev.lazyz.strategies.bsp;
     exports dev.lazyz.strategies.flow;
     exports dev.lazyz.strategies.hierarchical;
     exports dev.lazyz.strategies.hybrid;

@@ -17,11 +17,7 @@ import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Polygon
 
 /** Converts meshes and polygons to primitives. */
-internal class MeshStage(
-    private val stage: VertexStage,
-    private val lighting: Lighting,
-    private val workers: Workers,
-) {
+internal class MeshStage(val stage: VertexStage, private val lighting: Lighting, private val workers: Workers) {
     /** Returns the triangles of [mesh] in order. Passes [checkpoint] while it transforms all vertices before that. */
     fun mesh(mesh: Mesh, checkpoint: Checkpoint): Sequence<Primitive> = sequence {
         val vertices = meshVertices(mesh, checkpoint)

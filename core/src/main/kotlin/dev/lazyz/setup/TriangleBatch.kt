@@ -39,6 +39,9 @@ internal class TriangleBatch(
     /** Vertex numbers, three for each triangle. */
     val corners: IntArray get() = mesh.triangles
 
+    /** The transforms that made [grid]. */
+    val stage: VertexStage get() = setUp.stage
+
     /** Returns the index in [grid] of the first number of vertex [corner], 0..2, of [triangle]. */
     fun place(triangle: Int, corner: Int): Int = STRIDE * corners[3 * triangle + corner]
 

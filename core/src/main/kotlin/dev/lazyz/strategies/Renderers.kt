@@ -4,6 +4,7 @@ import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
+import dev.lazyz.strategies.bsp.BspRenderer
 import dev.lazyz.strategies.flow.FlowRenderer
 import dev.lazyz.strategies.hierarchical.HierarchicalRenderer
 import dev.lazyz.strategies.hybrid.HybridRenderer
@@ -42,6 +43,7 @@ public object Renderers {
         WarnockRenderer(),
         HierarchicalRenderer(),
         RaycastRenderer(),
+        BspRenderer(),
     )
 
     /**

@@ -18,6 +18,7 @@ internal object StrategyCosts {
         "warnock" to doubleArrayOf(0.0, 286.0, 186.0, 4.99, 0.0, 22.6, 0.0),
         "hierarchical" to doubleArrayOf(0.0, 940.0, 14.2, 12.7, 0.0, 24.7, 0.0),
         "raycast" to doubleArrayOf(90500.0, 856.0, 33.4, 132.0, 0.0, 31.2, 0.0),
+        "bsp" to doubleArrayOf(0.0, 1070.0, 94.9, 17.0, 1.34, 14.2, 0.0),
     )
 
     /** Bytes for each of [StrategyMemory.termNames]. */
@@ -33,6 +34,7 @@ internal object StrategyCosts {
         "warnock" to doubleArrayOf(0.0, 478.0, 0.0, 98.3, 695.0, 2.37),
         "hierarchical" to doubleArrayOf(61.3, 12.1, 8.18, 8.0, 0.0, 0.0),
         "raycast" to doubleArrayOf(7870.0, 0.0, 0.0141, 34.7, 23.6, 0.0),
+        "bsp" to doubleArrayOf(10200.0, 13.7, 4.0, 42.8, 0.0, 0.0),
     )
 
     /** The part of the time that threads do not share. */

@@ -104,7 +104,7 @@ class InterruptTimesTest {
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun blendingEnds() {
         val glass = scene(relief(Material(Rgba.WHITE.withAlpha(0.1f), alphaMode = AlphaMode.BLEND)))
-        for (id in listOf("tiled", "lists", "scanline", "painter", "raycast")) {
+        for (id in listOf("tiled", "lists", "scanline", "painter", "raycast", "bsp")) {
             val renderer = Renderers.builtIn.first { it.id == id }
             assertShort("glass by $id") { renderer.render(glass.frame(raster)) { _, _, _, _ -> } }
         }

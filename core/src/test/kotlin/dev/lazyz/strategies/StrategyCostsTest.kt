@@ -68,7 +68,7 @@ class StrategyCostsTest {
     fun whatIsBehindTheBackgroundIsNotEvaluated() {
         val raster = Raster(64, 64, Rgba.BLACK, DepthConvention.SMALLER_IS_NEARER, DepthTest.LESS, 0)
         val hidden = Stacks.layers(raster, 10, Submission.FRONT_TO_BACK)
-        for (id in listOf("tiled", "scanline", "warnock", "hierarchical", "painter", "raycast")) {
+        for (id in listOf("tiled", "scanline", "warnock", "hierarchical", "painter", "raycast", "bsp")) {
             assertEquals(0, counted(id, hidden).run { depthEvaluations + shadingCalls }, id)
         }
     }

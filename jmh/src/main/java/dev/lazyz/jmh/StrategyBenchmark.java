@@ -52,7 +52,8 @@ public class StrategyBenchmark {
         "painter",
         "warnock",
         "hierarchical",
-        "raycast"
+        "raycast",
+        "bsp"
     })
     public String strategy;
 

@@ -48,7 +48,7 @@ class ShadingOrderTest {
         assertTrue(frames.size >= 5, "${frames.keys}")
         for ((name, frame) in frames) {
             val rows = places(order("scanline", frame))
-            for (id in listOf("lazy", "flow", "lists", "warnock", "hierarchical", "raycast")) {
+            for (id in listOf("lazy", "flow", "lists", "warnock", "hierarchical", "raycast", "bsp")) {
                 assertArrayEquals(rows, places(order(id, frame)), "$name: $id")
             }
             assertArrayEquals(rows.sortedArray(), rows, "$name: row by row, from left to right")
@@ -59,8 +59,9 @@ class ShadingOrderTest {
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun strategiesThatShadeLateDiscardNothing() {
         for ((name, frame) in frames) {
-            val others =
-                listOf("lazy", "flow", "scanline", "tiled", "hybrid", "lists", "warnock", "hierarchical", "raycast")
+            val others = listOf(
+                "lazy", "flow", "scanline", "tiled", "hybrid", "lists", "warnock", "hierarchical", "raycast", "bsp",
+            )
             for (id in others) {
                 val order = order(id, frame)
                 assertEquals(0, order.discarded, "$name: $id")
