@@ -25,8 +25,4 @@ class EdgeTest {
 
     private fun function(from: GridPoint, to: GridPoint, at: GridPoint): Long =
         Edge.function(from.x, from.y, to.x, to.y, at.x, at.y)
-
-    private companion object {
-        const val SIDE = 262_144
-    }
 }

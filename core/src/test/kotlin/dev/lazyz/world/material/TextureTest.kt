@@ -15,8 +15,6 @@ class TextureTest {
 
     private fun read(texture: Texture, u: Float, v: Float): FloatArray = FloatArray(4).also { texture.sample(u, v, it) }
 
-    private fun linear(texture: Texture, x: Int, y: Int): Rgba = Rgba.ofArgb(texture.texel(x, y))
-
     @Test
     fun rule_6_6_noCoordinateIsTooStrange() {
         val strange = listOf(
@@ -64,16 +62,6 @@ class TextureTest {
         assertEquals(expected.green, mean.green, 1e-6f) { "$texture" }
         assertEquals(expected.blue, mean.blue, 1e-6f) { "$texture" }
         assertEquals(expected.alpha, mean.alpha, 1e-6f) { "$texture" }
-    }
-
-    /** The mean by the definition: linear light, weighted by alpha. */
-    private fun mean(texture: Texture): Rgba {
-        val texels = (0 until texture.height).flatMap { y ->
-            (0 until texture.width).map { x -> linear(texture, x, y) }
-        }
-        val alpha = texels.sumOf { it.alpha.toDouble() }
-        fun channel(value: (Rgba) -> Float) = (texels.sumOf { value(it).toDouble() * it.alpha } / alpha).toFloat()
-        return Rgba(channel(Rgba::red), channel(Rgba::green), channel(Rgba::blue), (alpha / texels.size).toFloat())
     }
 
     @Test

@@ -114,7 +114,7 @@ class GrowthTest {
             "--points",
             "2",
             "--rounds",
-            "2",
+            "1",
             "--warm-up",
             "0",
             "--axes",
