@@ -6,7 +6,6 @@ import java.nio.file.Path
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 import org.junit.jupiter.api.io.TempDir
@@ -31,26 +30,17 @@ class NamedMemoryTest {
         "render", model, "--size", size, "--aa", "$aa", "--shading", shading, "-o", "$folder/a.png",
     )
 
-    /** Calls [check] with the words of each command of the grid. */
-    private fun grid(sizes: List<String>, factors: List<Int>, check: (List<String>) -> Unit) {
-        for (model in models) {
-            val input = if ('.' in model) "$folder/$model" else model
-            for (size in sizes) {
-                for (aa in factors) for (shading in listOf("flat", "phong")) check(words(input, size, aa, shading))
-            }
-        }
-    }
-
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun theNamedAmountIsAcceptedInALargeHeap() {
-        grid(listOf("300x200"), listOf(2)) { words ->
-            val refused = zcli(*words.toTypedArray(), "--memory", "1m")
+        for ((model, shading) in models.flatMap { listOf(it to "flat", it to "phong") }) {
+            val words = words(if ('.' in model) "$folder/$model" else model, "300x200", 2, shading).toTypedArray()
+            val refused = zcli(*words, "--memory", "1m")
             assertEquals(2, refused.code, refused.errors)
             val amount = named(refused.errors)
-            zcli(*words.toTypedArray(), "--memory", "${amount}m").done()
-            val less = zcli(*words.toTypedArray(), "--memory", "${amount / 4 * 3}m")
-            assertEquals(2, less.code, "$words: $amount MiB is much more than necessary")
+            zcli(*words, "--memory", "${amount}m").done()
+            val less = zcli(*words, "--memory", "${amount / 4 * 3}m")
+            assertEquals(2, less.code, "${words.asList()}: $amount MiB is much more than necessary")
         }
     }
 
@@ -71,22 +61,6 @@ class NamedMemoryTest {
             val (next, later) = run(words, named(errors))
             assertEquals(0, next, "$errors\n$later")
         }
-    }
-
-    @Test
-    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")
-    fun theNamedAmountIsAcceptedAsHeapInTheWholeGrid() {
-        var refusals = 0
-        grid(listOf("200x5000", "640x480"), listOf(1, 4)) { words ->
-            for (small in listOf(12, 16, 24)) {
-                val (code, errors) = run(words, small)
-                if (code == 0) continue
-                refusals++
-                val (next, later) = run(words, named(errors))
-                assertEquals(0, next, "$words with $small MiB: $errors\n$later")
-            }
-        }
-        assertTrue(refusals > 20, "$refusals refusals")
     }
 
     private companion object {

@@ -60,6 +60,17 @@ class RegionTest {
     }
 
     @Test
+    fun statisticsAreOfTheRegion() {
+        val run = zcli(
+            "render", "teapot", "-o", out, "--size", "80x60", "--region", "30,20,20x10", "--stats=json",
+        ).done()
+        assertEquals("20" to "10", run.stat("width") to run.stat("height"))
+        assertEquals("200", run.stat("visible"))
+        assertEquals("1.0", run.stat("coverage"))
+        assertEquals(run.stat("fragments").toLong() / (16 * 200.0), run.stat("overdraw").toDouble())
+    }
+
+    @Test
     fun aRegionOfAPictureLargerThanMemoryIsRendered() {
         zcli("render", "teapot", "-o", out, "--size", "200000x150000", "--region", "90000,70000,9x7").done()
         assertEquals(9 to 7, out.image.width to out.image.height)

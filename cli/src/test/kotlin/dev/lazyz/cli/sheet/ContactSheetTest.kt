@@ -44,6 +44,30 @@ class ContactSheetTest {
     }
 
     @Test
+    fun labelsAreTheSameEverywhere() {
+        val sheet = ContactSheet(ImageSize(12, 2), listOf("Hg", "too long"), 1, -1)
+        repeat(2) { sheet.put(it, IntArray(24)) }
+        folder.resolve("s.png").also { sheet.write(it) }.image.let { image ->
+            val rows = (6 + 2 until 6 + 2 + 15).map { y ->
+                (6 until 18).joinToString("") { x -> if (image.getRGB(x, y) == -1) "." else "#" }
+            }
+            val letters = """
+                #...#.......
+                #...#.......
+                #...#..####.
+                #####.#...#.
+                #...#.#...#.
+                #...#.#...#.
+                #...#..####.
+                ...........#
+            """.trimIndent().lines().map {
+                it.padEnd(12, '.')
+            }
+            assertEquals(letters.take(7), rows.subList(3, 10))
+        }
+    }
+
+    @Test
     fun aFailedInputHasACellThatSaysSo() {
         val bad = folder.resolve("bad.stl").apply { writeText("not a model") }
         val run = zcli("render", "teapot", bad, "--contact-sheet", "--size", "64x64", "-o", out)

@@ -65,6 +65,39 @@ class FrameMixTest {
     }
 
     @Example
+    fun kindsInSpaceAreWhatTheyAreNamedAfter() {
+        for ((kind, word) in listOf(
+            FrameKind.SPHERES to "Sphere(",
+            FrameKind.MESHES to "Mesh(",
+            FrameKind.POLYGONS_IN_SPACE to "Polygon(",
+            FrameKind.POINTS to "Points(",
+            FrameKind.LINES to "Lines(",
+        )) {
+            val cases = some(FrameMix.of(kind).counted(1, 5))
+            assertTrue(cases.all { word in it.code }) { "$kind" }
+            assertTrue(cases.count { PictureTrait.EMPTY !in PictureTrait.of(it.frame) } > cases.size / 3) { "$kind" }
+        }
+        val spheres = some(FrameMix.of(FrameKind.SPHERES)).map { PictureTrait.of(it.frame) }
+        assertTrue(share(spheres, PictureTrait.CURVED) > 0.5)
+    }
+
+    @Example
+    fun nearPlaneIsCrossed() {
+        val cases = some(FrameMix.of(FrameKind.NEAR_PLANE).counted(1, 3))
+        val crossings = cases.count { case ->
+            val eye = Regex("Camera\\.\\w+\\(Vector3d\\(([^)]*)\\)").find(case.code)!!.numbers()
+            val length = Math.sqrt(eye.sumOf { it * it })
+            val distances = Regex("Vertex\\(([^)]*)\\)").findAll(case.code).map { vertex ->
+                val at = vertex.numbers()
+                (0 until 3).sumOf { (eye[it] - at[it]) * eye[it] } / length
+            }.toList()
+            distances.any { it < 0.5 } && distances.any { it > 0.5 }
+        }
+        assertTrue(crossings > 0.9 * cases.size) { "$crossings of ${cases.size}" }
+        assertTrue(cases.count { PictureTrait.EMPTY !in PictureTrait.of(it.frame) } > cases.size / 4)
+    }
+
+    @Example
     fun numbersAreObeyed() {
         val mix = FrameMix.of(FrameKind.SCATTERED).sized(7, 5).counted(2, 4).layered(3)
         for (case in some(mix)) {
@@ -142,6 +175,8 @@ class FrameMixTest {
         val count = cases.count { property(read(it).polygons, PictureTrait.of(it.frame)) }
         assertTrue(count >= part * cases.size) { "$kind: $count of ${cases.size}" }
     }
+
+    private fun MatchResult.numbers(): List<Double> = groupValues[1].split(", ").take(3).map { it.toDouble() }
 
     private fun isWhole(x: Double) = x == Math.rint(x)
 

@@ -60,20 +60,6 @@ class SetUpIsExactTest {
         }
     }
 
-    @Property(tries = 500, seed = "1995", edgeCases = EdgeCasesMode.NONE)
-    fun cursorGivesTheSpansOfEachRow(@ForAll("polygons") polygon: Outline, @ForAll("rasters") raster: Raster) {
-        val primitive = polygon.primitive(raster)
-        val stepped = Spans()
-        for (first in primitive.rowStart until primitive.rowEnd) {
-            val cursor = primitive.cursor(first)
-            for (y in first until primitive.rowEnd) {
-                cursor.next(stepped)
-                val direct = Spans().also { primitive.spans(y, it) }
-                assertEquals(direct.toString(), stepped.toString(), "row $y of a cursor from row $first")
-            }
-        }
-    }
-
     @Property(tries = 200, seed = "1995", edgeCases = EdgeCasesMode.NONE)
     @AddLifecycleHook(NotByDefault::class)
     fun primitivesKeepTheirPromises(@ForAll("frames") case: FrameCase) {

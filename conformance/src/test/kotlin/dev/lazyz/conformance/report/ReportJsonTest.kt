@@ -2,6 +2,7 @@ package dev.lazyz.conformance.report
 
 import dev.lazyz.conformance.Conformance
 import dev.lazyz.conformance.census.FrameTrait
+import dev.lazyz.conformance.mutants.Promising
 import dev.lazyz.conformance.mutants.WrongColors
 import dev.lazyz.conformance.results.RuleOutcome
 import dev.lazyz.conformance.results.Waivers
@@ -55,6 +56,15 @@ class ReportJsonTest {
             ),
             waived.mapValues { it.value.jsonPrimitive.content },
         )
+    }
+
+    @Test
+    fun capabilitiesAreInTheirOrder() {
+        val all = Conformance {
+            Promising()
+        }.rule("rule_4_3_backgroundIsVisibleWhereNoFragmentPasses").tries(0.01).run()
+        val reported = Json.parseToJsonElement(all.toJson()).jsonObject.getValue("capabilities").jsonArray
+        assertEquals(Promising().capabilities.sorted().map { it.name }, reported.map { it.jsonPrimitive.content })
     }
 
     @Test

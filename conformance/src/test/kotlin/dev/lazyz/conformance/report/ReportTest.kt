@@ -11,6 +11,7 @@ import dev.lazyz.conformance.mutants.wrappers.MannerMistakes
 import dev.lazyz.conformance.mutants.wrappers.PromiseMistakes
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.results.RuleOutcome
+import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.results.Waivers
 import dev.lazyz.scenes.formats.Scenes
 import java.io.ByteArrayInputStream
@@ -49,6 +50,23 @@ class ReportTest {
         val conformance = Conformance { renderer }.tries(0.05).waivers(Waivers.parse(waiver))
         for (rule in rules) conformance.rule(rule)
         return conformance.run()
+    }
+
+    @Test
+    fun textBeginsAndEndsWithTheVerdict() {
+        val text = report(WrongColors(), nearest, "8.2", rows).toText()
+        val parts = listOf(
+            "\n\nLikely cause\n  1. $nearest: it is the only broken rule\n     Check the sample ",
+            "strategy      wrong-colors (", "\nWaivers\n  $rows (waived but passes)\n", "\nFAILED: $nearest (MUST)\n",
+            "    expected #", "reproduce   zcli conformance ", "\nWAIVED BUT PASSES: $rows", " tries  ",
+            "\nnot supported      rule_8_2_", "something is hidden",
+        )
+        val count = 2 + SuiteRule.all.count { it.number == "8.2" }
+        val verdict = "wrong-colors does NOT conform: $count rules, 1 passed, 1 failed, 1 waived but"
+        assertTrue(text.startsWith(verdict) && text.trimEnd().lines().last().startsWith(verdict), text)
+        assertEquals(parts.map { text.indexOf(it) }.sorted(), parts.map { text.indexOf(it) }, text)
+        assertTrue(parts.all { it in text }, text)
+        assertTrue("conforms: 1 rule, " in report(PlainRenderer(), nearest).toText())
     }
 
     @Test
