@@ -9,7 +9,7 @@ sys.path.insert(0, str(HERE))
 project = "Lazy Z"
 extensions = ["myst_parser", "navigation", "sources", "reference"]
 root_doc = "README"
-include_patterns = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md", "docs/**/*.md", "jmh/README.md", "conformance/corpus/README.md", "examples/README.md", "examples/*/README.md"]
+include_patterns = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md", "docs/**/*.md", "jmh/README.md", "conformance/corpus/README.md", "integrations/mcp/README.md", "examples/README.md", "examples/*/README.md"]
 exclude_patterns = ["**/target/**", "**/build/**"]
 
 # Headings have the anchors that they have on GitHub
