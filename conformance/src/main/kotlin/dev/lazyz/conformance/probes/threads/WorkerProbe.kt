@@ -13,13 +13,15 @@ import dev.lazyz.conformance.probes.answer
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Spans
 import java.lang.management.ManagementFactory
+import java.util.EnumSet
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.LockSupport
 
 /**
  * A frame whose primitives know whether they are queried by the thread that called the renderer, or by a worker, that
  * is, one of the renderer's own threads. The caller waits briefly for the first worker, so that the workers take part
- * if the renderer has any.
+ * if the renderer has any. It does so once for each kind of question: in the step that asks the first, there may be
+ * nothing to do for workers, and in the next a busy machine lets the caller do all before they begin.
  *
  * @param caller the thread that calls the renderer
  * @param onCaller called in the caller before it gets an answer, once the first worker has made a query
@@ -38,16 +40,15 @@ internal class WorkerProbe(
     var hasWorker: Boolean = false
         private set
 
-    @Volatile
-    private var hasWaited = false
+    /** What the caller has been asked. */
+    private val asked = EnumSet.noneOf(Question::class.java)
 
     private fun onQuery(question: Question) {
         if (Thread.currentThread() !== caller) {
             hasWorker = true
             onWorker(question)
-        } else if (!hasWorker && !hasWaited) {
+        } else if (!hasWorker && asked.add(question)) {
             awaitUntil(PATIENCE) { hasWorker }
-            hasWaited = true
         }
         if (hasWorker && Thread.currentThread() === caller) onCaller()
     }
@@ -78,7 +79,7 @@ internal class WorkerProbe(
         private const val SIDE = 64
         private const val COUNT = 4
 
-        /** Nanoseconds of its processor time that the caller waits for a worker, once. */
+        /** Nanoseconds of its processor time that the caller waits for a worker. */
         private const val PATIENCE = 80_000_000L
 
         /** Returns the frame with primitives that do not distinguish threads. */
