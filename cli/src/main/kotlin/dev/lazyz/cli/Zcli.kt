@@ -51,7 +51,8 @@ internal class Zcli(streams: Streams, args: List<String>) : Command("zcli") {
         "scenes" -> ScenesCommand(streams)
         "strategies" -> StrategiesCommand(streams)
         ManCommand.NAME -> ManCommand(streams)
-        else -> CompletionCommand(streams)
+        CompletionCommand.NAME -> CompletionCommand(streams)
+        else -> error("there is no command '$name'")
     }
 
     override fun help(context: Context): String =

@@ -70,7 +70,7 @@ public class BspRenderer @JvmOverloads constructor(private val options: RenderOp
         }
         for ((number, primitive) in content.singles.withIndex()) {
             endIfInterrupted()
-            if (primitive.isTranslucent) samples.drawLayer(content.index(number))
+            if (primitive.isTranslucent) samples.drawLayer(content.index(number), all)
         }
         samples.finish(sink)
         counters.peakBytes += samples.bytes

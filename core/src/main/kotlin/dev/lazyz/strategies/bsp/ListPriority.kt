@@ -97,7 +97,7 @@ internal class ListPriority(
         for (place in tree.start(node) until tree.start(node + 1)) {
             if (Checkpoint.isDue(place)) endIfInterrupted()
             val face = tree.face(place)
-            val number = java.util.Arrays.binarySearch(firsts, face).let { if (it < 0) -it - 2 else it }
+            val number = firsts.binarySearch(face).let { if (it < 0) -it - 2 else it }
             val batch = batches[number]
             val triangle = face - firsts[number]
             if (batch.isDrawn(triangle) && batch.boundsIn(region, triangle) != null) action(batch, triangle)

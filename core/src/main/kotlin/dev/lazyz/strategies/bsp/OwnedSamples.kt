@@ -67,12 +67,10 @@ internal class OwnedSamples(private val frame: Frame, coherence: Coherence, priv
         }
     }
 
-    /** Draws the translucent primitive [index], after all opaque ones. */
-    fun drawLayer(index: Int) {
-        val all = DrawnRanges(1)
-        all.add(0, drawn)
+    /** Draws the translucent primitive [index], after all opaque ones. It may be before the [undecided] ones. */
+    fun drawLayer(index: Int, undecided: DrawnRanges) {
         val primitive = frame.primitives[index]
-        forEachVisible(index, all) { at, x, y ->
+        forEachVisible(index, undecided) { at, x, y ->
             if (layers == before.size) {
                 before = before.copyOf(2 * layers)
                 layerKeys = layerKeys.copyOf(2 * layers)

@@ -20,7 +20,7 @@ import reactor.core.publisher.Mono
  * One session of the protocol, a message a line. Other than the transport of the SDK, it goes on after a line that is
  * no message, and ends the work for requests that the client cancels.
  */
-internal class LineTransport(private val mapper: McpJsonMapper, input: InputStream, private val output: OutputStream,) :
+internal class LineTransport(private val mapper: McpJsonMapper, input: InputStream, private val output: OutputStream) :
     McpServerTransportProvider,
     McpServerTransport {
     private val input = BufferedInputStream(input)

@@ -113,12 +113,14 @@ internal class ModelTools(private val folder: ModelFolder, private val limits: L
     private fun measure(call: ToolInput.Call): CallToolResult {
         val model = Model(call["file"], call.settings, 1)
         val surfaces = model.loaded.scene.surfaces
-        val numbers = ModelNumbers(surfaces).toData()
-        val parts = PartDifference.of(surfaces).map { mapOf("name" to it.name, "numbers" to it.after?.toData()) }
+        val numbers = ModelNumbers(surfaces)
+        val parts = PartDifference.of(surfaces, numbers).map {
+            mapOf("name" to it.name, "numbers" to it.after?.toData())
+        }
         val about = mapOf(
             "file" to model.name, "format" to model.loaded.format?.id, "unit" to model.loaded.unit?.symbol,
             "up" to model.up.id,
-            "numbers" to numbers, "warnings" to model.warnings(),
+            "numbers" to numbers.toData(), "warnings" to model.warnings(),
         )
         return result(about + parts(parts))
     }

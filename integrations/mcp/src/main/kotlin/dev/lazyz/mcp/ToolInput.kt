@@ -40,12 +40,10 @@ internal class ToolInput(
     private fun schema(parameter: PictureParameter<*>): Map<String, Any> {
         val values = parameter.values
         val text = values.form?.let { "$it. " }.orEmpty() + parameter.text("")
-        val type = if (values.form == null) {
-            "boolean"
-        } else if (values.isNumber) {
-            "number"
-        } else {
-            "string"
+        val type = when {
+            values.form == null -> "boolean"
+            values.isNumber -> "number"
+            else -> "string"
         }
         val one = if (values is NamedValues && !values.isNumber) {
             mapOf("type" to type, "enum" to values.words)

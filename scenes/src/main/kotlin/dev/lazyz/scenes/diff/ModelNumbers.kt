@@ -290,11 +290,15 @@ public class PartDifference private constructor(
     override fun toString(): String = "PartDifference($name: $before, $after)"
 
     public companion object {
-        /** Returns the parts of a model that has no other version: there is no [before]. Throws like [ModelNumbers]. */
+        /**
+         * Returns the parts of a model that has no other version: there is no [before]. Throws like [ModelNumbers].
+         *
+         * @param all the numbers of all [surfaces] together
+         */
         @JvmStatic
         @Throws(InterruptedException::class)
-        public fun of(surfaces: List<Surface>): List<PartDifference> =
-            pairs(emptyList(), surfaces, PartDifference("", emptyList(), surfaces))
+        public fun of(surfaces: List<Surface>, all: ModelNumbers): List<PartDifference> =
+            pairs(emptyList(), surfaces, PartDifference("", null, all))
 
         /** Returns the parts of two models, of which [whole] has all numbers. */
         internal fun pairs(before: List<Surface>, after: List<Surface>, whole: PartDifference): List<PartDifference> {

@@ -4,7 +4,6 @@ import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.SceneFormat
-import dev.lazyz.scenes.SceneFormatException
 import dev.lazyz.scenes.StreamedScene
 import dev.lazyz.scenes.loading.FileBytes
 import dev.lazyz.scenes.loading.Loading
@@ -15,7 +14,6 @@ import dev.lazyz.scenes.stl.StlStreaming
 import dev.lazyz.scenes.streaming.StreamedInput
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.StreamedMesh
-import java.io.IOException
 import java.io.InputStream
 import java.nio.file.Path
 
@@ -37,7 +35,7 @@ internal object StreamReading {
         format: SceneFormat?,
         limits: LoadLimits,
         open: (Loading) -> StreamedInput,
-    ): StreamedScene = try {
+    ): StreamedScene = FileBytes.readable(name) {
         val loading = Loading(LoadOptions(limits))
         val input = open(loading)
         try {
@@ -57,9 +55,5 @@ internal object StreamReading {
             input.close()
             throw e
         }
-    } catch (e: SceneFormatException) {
-        throw e
-    } catch (e: IOException) {
-        throw FileBytes.unreadable(name, e)
     }
 }

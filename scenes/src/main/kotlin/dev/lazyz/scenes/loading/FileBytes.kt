@@ -31,8 +31,8 @@ internal object FileBytes {
     fun of(input: InputStream, name: String, format: SceneFormat?, loading: Loading): ByteArray =
         readable(name) { bytes(input, 0, name, format, loading) }
 
-    /** Returns what [read] returns. Whatever else stops it becomes an exception that names the file. */
-    private inline fun readable(name: String, read: () -> ByteArray): ByteArray = try {
+    /** Returns what [read] returns. Whatever else stops it becomes an exception that names the file or stream. */
+    inline fun <T> readable(name: String, read: () -> T): T = try {
         read()
     } catch (e: SceneFormatException) {
         throw e
@@ -50,7 +50,7 @@ internal object FileBytes {
     }
 
     /** Returns the exception for a file that cannot be read. An interrupt closes channels. */
-    fun unreadable(name: String, e: IOException): SceneReadException = when (e) {
+    private fun unreadable(name: String, e: IOException): SceneReadException = when (e) {
         is ClosedByInterruptException -> SceneReadException(name, Loading.INTERRUPTED, cause = e)
         is AccessDeniedException ->
             SceneReadException(name, "cannot be read: permission denied", "ask for permission", e)
