@@ -18,8 +18,8 @@ class ResumeTest {
     lateinit var folder: Path
 
     private val child by lazy { ChildZcli(folder) }
-    private val words =
-        listOf("render", "teapot", "--size", "3000x4000", "--aa", "1", "--threads", "1", "--quiet", "-o")
+    private val size = listOf("--size", "3200x4300", "--region", "100,200,3000x4000")
+    private val words = listOf("render", "teapot") + size + listOf("--aa", "1", "--threads", "1", "--quiet", "-o")
 
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "full")

@@ -24,6 +24,9 @@ record Contender(String name, Kind kind, List<String> command) {
         /** {@code llvmpipe.c} with shading after visibility is determined. */
         LLVMPIPE_VISIBILITY,
 
+        /** {@code glimpsw.cpp}: no shader for the rounds; only for processors with AVX-512. */
+        GLIMPSW,
+
         /** {@code euc}: one thread; does not clip. */
         EUC,
 
@@ -53,6 +56,7 @@ record Contender(String name, Kind kind, List<String> command) {
         boolean isPlain = !isExpensive && triangles.coloring() != Coloring.LIT;
         return switch (kind) {
             case LLVMPIPE, OURS -> true;
+            case GLIMPSW -> !isExpensive;
             case LLVMPIPE_VISIBILITY -> isExpensive && !isPerspective;
             case EUC -> threads == 1 && (isPlain || isExpensive) && !isPerspective;
             case VTK -> isPlain;
@@ -73,8 +77,13 @@ record Contender(String name, Kind kind, List<String> command) {
         return builder;
     }
 
-    /** Whether this is Lazy Z, or a program that Lazy Z is primarily compared with. */
-    boolean isOursOrBase() {
+    /** Whether this draws all scenes, also those that are measured once: Lazy Z, and the fastest of the others. */
+    boolean isOfAllScenes() {
+        return hasSamples() || kind == Kind.GLIMPSW;
+    }
+
+    /** Whether this can draw several samples a pixel. */
+    boolean hasSamples() {
         return kind == Kind.OURS || kind == Kind.LLVMPIPE || kind == Kind.LLVMPIPE_VISIBILITY;
     }
 

@@ -28,8 +28,8 @@ import kotlinx.serialization.json.JsonObject;
  * <p>First the image of every other renderer is compared with Lazy Z's; if a renderer covers other samples, its times
  * are for different work.
  *
- * <p>All of this is done with the first raster. Further rasters, and mesh files, are measured once, with Lazy Z and
- * llvmpipe on one thread, because everything would take more than a day. So are lit scenes, with one sample a pixel and
+ * <p>All of this is done with the first raster. Further rasters, and mesh files, are measured once, with Lazy Z,
+ * llvmpipe and GLimpSW on one thread, because everything would take more than a day. So are lit scenes, with one sample a pixel and
  * with {@value #SAMPLES} x {@value #SAMPLES}, or 4 for llvmpipe, which has no more.
  *
  * <p>With {@code --keep}, the file of results exists already, and results of other scenes and of whole processes are
@@ -38,6 +38,7 @@ import kotlinx.serialization.json.JsonObject;
 public final class SideBySide {
     private static final Set<String> OPTIONS = Set.of(
             "llvmpipe",
+            "glimpsw",
             "euc",
             "vtk",
             "jmol",
@@ -89,6 +90,8 @@ public final class SideBySide {
             contenders.add(Contender.parse(Contender.Kind.LLVMPIPE, BASE + "=" + command));
             contenders.add(Contender.parse(Contender.Kind.LLVMPIPE_VISIBILITY, BASE + " for visibility=" + command));
         }
+        options.all("glimpsw")
+                .forEach(command -> contenders.add(Contender.parse(Contender.Kind.GLIMPSW, "GLimpSW=" + command)));
         options.all("euc").forEach(command -> contenders.add(Contender.parse(Contender.Kind.EUC, "euc=" + command)));
         options.all("vtk").forEach(command -> contenders.add(Contender.parse(Contender.Kind.VTK, "VTK=" + command)));
         options.all("jmol").forEach(command -> contenders.add(Contender.parse(Contender.Kind.JMOL, "Jmol=" + command)));
@@ -154,15 +157,15 @@ public final class SideBySide {
     }
 
     private void measureOnce(List<String> scenes, int side, Path file) throws IOException, InterruptedException {
-        comparePictures(scenes, side, Contender::isOursOrBase);
-        measure(scenes, side, List.of(1), 1, file, Contender::isOursOrBase);
+        comparePictures(scenes, side, Contender::isOfAllScenes);
+        measure(scenes, side, List.of(1), 1, file, Contender::isOfAllScenes);
     }
 
     /** Measures anti-aliased pictures of scenes once. */
     private void measureSmooth(List<String> scenes, int side, Path file) throws IOException, InterruptedException {
         for (String scene : scenes) {
             for (Contender contender : contenders) {
-                if (contender.isOursOrBase() && canDraw(contender, scene, 1)) {
+                if (contender.hasSamples() && canDraw(contender, scene, 1)) {
                     measure(contender, scene, side, SAMPLES, 1, 1);
                 }
             }

@@ -186,6 +186,21 @@ class RadianceImageTest {
     }
 
     @Test
+    fun pixelsOfLargePicturesStayWhereTheyAre() {
+        fun halves(width: Int, height: Int): List<Int> {
+            val out = ByteArrayOutputStream()
+            out.write("$header-Y $height +X $width\n".toByteArray())
+            for (i in 0 until width * height) {
+                val isLeft = i % width < width / 2
+                val isUpper = i / width < height / 2
+                out.write(byteArrayOf(if (isLeft) 100 else 50, if (isUpper) 80 else 20, 60, 128.toByte()))
+            }
+            return seen(Scenes.environment(file(out.toByteArray())))
+        }
+        assertEquals(halves(2048, 2), halves(4096, 4))
+    }
+
+    @Test
     fun interruptsEndIt() {
         val picture = file(40, 20, ::flat)
         Thread.currentThread().interrupt()

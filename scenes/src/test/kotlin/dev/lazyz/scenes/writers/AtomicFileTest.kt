@@ -2,6 +2,7 @@ package dev.lazyz.scenes.writers
 
 import dev.lazyz.Counters
 import dev.lazyz.Image
+import dev.lazyz.scenes.SceneFormatException
 import java.io.IOException
 import java.io.InterruptedIOException
 import java.nio.file.AccessDeniedException
@@ -11,6 +12,7 @@ import java.nio.file.NoSuchFileException
 import java.nio.file.Path
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
@@ -108,6 +110,11 @@ class AtomicFileTest {
             IOException() to "the system gives no reason (IOException)",
         )
         for ((cause, expected) in causes) assertEquals(expected, explained(cause))
+        val model = SceneFormatException("a.obj", "line 1", "is wrong")
+        val passed = assertThrows(SceneFormatException::class.java) {
+            AtomicFile.explaining<Unit>(path) { throw model }
+        }
+        assertSame(model, passed, "the model that is drawn cannot be read")
         val missing = "there is no folder ${gone.parent}; create it or choose another"
         assertEquals(missing, explained(NoSuchFileException(temporary), gone))
         val long = folder.resolve("a".repeat(250) + ".png")
