@@ -7,7 +7,9 @@ write depth and primitive as NPY; {depth} and {primitive} can be omitted. Exit c
 """
 
 import collections
+import concurrent.futures
 import json
+import os
 import pathlib
 import struct
 import subprocess
@@ -17,6 +19,7 @@ import zlib
 
 import numpy
 
+SECONDS = 60
 CHANNELS = {0: 1, 2: 3, 4: 2, 6: 4}
 
 
@@ -84,22 +87,33 @@ def compare(folder, name, picture, depth=None, primitive=None):
     return "wrong at %d samples, the first of them in column %d, row %d" % (wrong.sum(), column, row)
 
 
-def run(folder, command, name):
-    """Runs the command for a scene, and returns what compare returns, or 'not supported'."""
+def draw(folder, command, name):
+    """Runs the command for a scene. Returns its exit code or 'timed out', and, if it is 0, the arrays that it wrote."""
     with tempfile.TemporaryDirectory() as scratch:
         paths = {what: str(pathlib.Path(scratch) / what) for what in ("picture", "depth", "primitive")}
         line = command.format(scene=str(pathlib.Path(folder) / (name + ".json")), **paths)
-        code = subprocess.run(line, shell=True, timeout=60).returncode
-        if code:
-            return "not supported" if code == 3 else "exit code %d" % code
-        asked = {what: numpy.load(paths[what]) for what in ("depth", "primitive") if "{%s}" % what in command}
-        return compare(folder, name, read_picture(paths["picture"]), **asked)
+        with subprocess.Popen(line, shell=True, start_new_session=True) as process:
+            try:
+                code = process.wait(SECONDS)
+            except subprocess.TimeoutExpired:
+                (os.killpg if hasattr(os, "killpg") else os.kill)(process.pid, 9)
+                code = "timed out"
+        asked = [what for what in paths if "{%s}" % what in command] if code == 0 else []
+        return code, {what: read_picture(paths[what]) for what in asked}
+
+
+def run(folder, command, name):
+    """Runs the command for a scene, and returns what compare returns, or 'not supported'."""
+    code, arrays = draw(folder, command, name)
+    if code:
+        return code if code == "timed out" else "not supported" if code == 3 else "exit code %d" % code
+    return compare(folder, name, **arrays)
 
 
 if __name__ == "__main__":
-    counts = collections.Counter()
-    for name, scene in scenes(sys.argv[1]):
-        verdict = run(sys.argv[1], sys.argv[2], name)
+    counts, names = collections.Counter(), [name for name, _ in scenes(sys.argv[1])]
+    pool = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
+    for name, verdict in zip(names, pool.map(lambda name: run(sys.argv[1], sys.argv[2], name), names)):
         counts[verdict if verdict in ("exact", "within", "not supported") else "wrong"] += 1
         print("%-24s %s" % (name, verdict))
     print(", ".join("%d %s" % (count, verdict) for verdict, count in counts.items()))

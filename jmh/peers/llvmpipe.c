@@ -1,8 +1,9 @@
 /*
- * Draws a file of triangles with OpenGL 3.3 on Mesa's llvmpipe, without a display, and prints one line of JSON.
+ * Draws a file of triangles with OpenGL 3.3 on Mesa's llvmpipe or softpipe, without a display, and prints one line of
+ * JSON.
  *
  *   llvmpipe FILE [--side N] [--samples N] [--warm-up SECONDS] [--measure SECONDS] [--frames N] [--visibility]
- *            [--read-back] [--picture FILE]
+ *            [--read-back] [--picture FILE [--depth-test NAME --background R,G,B,A --background-depth D]]
  *
  * A frame clears, draws all triangles and waits until they are drawn (glFinish); colours stay linear. Times are
  * milliseconds of wall clock. --visibility draws triangle numbers first and runs the fragment shader once a sample.
@@ -11,7 +12,8 @@
  * many frames and no warm-up.
  * --picture draws one frame into an sRGB target and writes it: red, green, blue, alpha, a byte each, rows from the top.
  *
- * Set LP_NUM_THREADS. The file's format is that of Triangles.write.
+ * Set LP_NUM_THREADS. The file's format is that of Triangles.write; if its fourth number is 2, the w of each vertex
+ * follows.
  */
 #define GL_GLEXT_PROTOTYPES 1
 #include <EGL/egl.h>
@@ -48,7 +50,9 @@ struct light {
 };
 
 struct options {
-    const char *file, *picture;
+    const char *file, *picture, *depth_test;
+    float background[4];
+    double background_depth;
     int side, samples, frames, visibility, read_back;
     double warm_up, measure;
 };
@@ -56,9 +60,10 @@ struct options {
 static struct header header;
 static struct vertex *vertices;
 static uint32_t *indices;
-static float (*normals)[3];
+static float (*normals)[3], *weights;
 static struct light light;
-static struct options options = {.side = 1024, .samples = 1, .warm_up = 1.5, .measure = 4};
+static struct options options = {.side = 1024, .samples = 1, .warm_up = 1.5, .measure = 4,
+                                 .depth_test = "less", .background_depth = 1};
 static GLuint target, resolved, ids, program, id_program, resolve_program;
 static uint8_t *pixels;
 
@@ -84,9 +89,9 @@ static double now_ms(void) {
     " return vec4(0.25 + 0.75 * x, 0.25 + 0.75 * y, c.b, 1.0); }\n"
 
 static const char *VERTEX_SHADER =
-    "layout(location = 0) in vec3 position; layout(location = 1) in vec4 color;\n"
+    "layout(location = 0) in vec3 position; layout(location = 1) in vec4 color; layout(location = 3) in float w;\n"
     "uniform mat4 to_clip; VARYING out vec4 varying_color;\n"
-    "void main() { gl_Position = to_clip * vec4(position, 1.0); varying_color = color; }\n";
+    "void main() { gl_Position = to_clip * vec4(position, 1.0) WEIGHTED; varying_color = color; }\n";
 
 static const char *COLOR_SHADER =
     "VARYING in vec4 varying_color; out vec4 color;\n"
@@ -139,8 +144,8 @@ static GLuint shader(GLenum stage, const char *text) {
     const char *varying = header.coloring == FLAT ? "flat" : header.perspective ? "smooth" : "noperspective";
     char prologue[256];
     snprintf(prologue, sizeof prologue,
-             "#version 330 core\n#define VARYING %s\n#define RESULT %s\n#define LIGHTS %d\n", varying,
-             header.coloring == ROUNDS ? "rounds(c.rgb)" : "c", LIGHTS);
+             "#version 330 core\n#define VARYING %s\n#define RESULT %s\n#define LIGHTS %d\n#define WEIGHTED %s\n",
+             varying, header.coloring == ROUNDS ? "rounds(c.rgb)" : "c", LIGHTS, weights ? "* w" : "");
     const char *parts[] = {prologue, text};
     GLuint name = glCreateShader(stage);
     glShaderSource(name, 2, parts, NULL);
@@ -194,6 +199,12 @@ static void read_triangles(void) {
             fail("the file of triangles is too short");
         }
     }
+    if (header.perspective == 2) {
+        weights = allocate(sizeof *weights * header.vertices);
+        if (fread(weights, sizeof *weights, header.vertices, in) != (size_t)header.vertices) {
+            fail("the file of triangles is too short");
+        }
+    }
     fclose(in);
 }
 
@@ -211,16 +222,17 @@ static void create_context(void) {
     const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_NONE};
     EGLContext context = eglCreateContext(display, configs ? config : NULL, EGL_NO_CONTEXT, version);
     if (!context || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) fail("no OpenGL 3.3 context");
-    if (!strstr((const char *)glGetString(GL_RENDERER), "llvmpipe")) {
-        fail("OpenGL is not llvmpipe; set LIBGL_ALWAYS_SOFTWARE=1 and GALLIUM_DRIVER=llvmpipe");
+    const char *renderer = (const char *)glGetString(GL_RENDERER);
+    if (!strstr(renderer, "llvmpipe") && !strstr(renderer, "softpipe")) {
+        fail("OpenGL is not llvmpipe or softpipe; set LIBGL_ALWAYS_SOFTWARE=1 and GALLIUM_DRIVER=llvmpipe");
     }
 }
 
 static void upload_triangles(void) {
-    GLuint names[4];
+    GLuint names[5];
     glGenVertexArrays(1, &names[0]);
     glBindVertexArray(names[0]);
-    glGenBuffers(3, &names[1]);
+    glGenBuffers(4, &names[1]);
     glBindBuffer(GL_ARRAY_BUFFER, names[1]);
     glBufferData(GL_ARRAY_BUFFER, sizeof *vertices * header.vertices, vertices, GL_STATIC_DRAW);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof *vertices, NULL);
@@ -232,6 +244,12 @@ static void upload_triangles(void) {
         glBufferData(GL_ARRAY_BUFFER, sizeof *normals * header.vertices, normals, GL_STATIC_DRAW);
         glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, 0, NULL);
         glEnableVertexAttribArray(2);
+    }
+    if (weights) {
+        glBindBuffer(GL_ARRAY_BUFFER, names[4]);
+        glBufferData(GL_ARRAY_BUFFER, sizeof *weights * header.vertices, weights, GL_STATIC_DRAW);
+        glVertexAttribPointer(3, 1, GL_FLOAT, GL_FALSE, 0, NULL);
+        glEnableVertexAttribArray(3);
     }
     if (header.indices) {
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, names[2]);
@@ -407,6 +425,17 @@ static void measure(void) {
            glGetString(GL_VERSION), glGetString(GL_RENDERER));
 }
 
+static void read_background(const char *text) {
+    float *to = options.background;
+    if (sscanf(text, "%f,%f,%f,%f", &to[0], &to[1], &to[2], &to[3]) != 4) fail("--background needs four numbers");
+}
+
+static GLenum depth_test(void) {
+    int is_equal = strstr(options.depth_test, "or-equal") != NULL;
+    if (!strncmp(options.depth_test, "less", 4)) return is_equal ? GL_LEQUAL : GL_LESS;
+    return is_equal ? GL_GEQUAL : GL_GREATER;
+}
+
 static void read_options(int count, char **arguments) {
     for (int i = 1; i < count; i++) {
         const char *name = arguments[i];
@@ -424,6 +453,9 @@ static void read_options(int count, char **arguments) {
             else if (!strcmp(name, "--warm-up")) options.warm_up = atof(value);
             else if (!strcmp(name, "--measure")) options.measure = atof(value);
             else if (!strcmp(name, "--picture")) options.picture = value;
+            else if (!strcmp(name, "--depth-test")) options.depth_test = value;
+            else if (!strcmp(name, "--background-depth")) options.background_depth = atof(value);
+            else if (!strcmp(name, "--background")) read_background(value);
             else fail("no such option");
         }
     }
@@ -448,8 +480,10 @@ int main(int count, char **arguments) {
     pixels = allocate(4 * (size_t)options.side * options.side);
     glViewport(0, 0, options.side, options.side);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glClearColor(0, 0, 0, 0);
+    glDepthFunc(depth_test());
+    glClearDepth(options.background_depth);
+    const float *background = options.background;
+    glClearColor(background[0], background[1], background[2], background[3]);
     if (options.picture) {
         printf("{\"covered\":%ld}\n", write_picture());
     } else {

@@ -7,6 +7,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
 import java.util.concurrent.TimeUnit
+import kotlin.io.path.createDirectory
 import kotlin.io.path.readLines
 import kotlin.io.path.readText
 import kotlin.io.path.writeLines
@@ -116,6 +117,17 @@ class ProgramTest {
         assertTrue("exit code 7; it printed\nwhy" in message, message)
         assertEquals(RuleOutcome.NOT_SUPPORTED, outcome("exit 3").first)
         assertThrows(IllegalArgumentException::class.java) { ProgramConformance("draw {scene}") }
+    }
+
+    /** The first scene waits until a second one is drawn, too; one of the four crashes. */
+    @Test
+    fun scenesAreDrawnAtTheSameTimeAndCrashAlone() {
+        val both = folder.resolve("both").createDirectory()
+        val wait = "touch $both/$$; while [ $(ls $both | wc -l) -lt 2 ]; do sleep 0.01; done"
+        val crash = "if grep -q ties-02 {scene}; then kill -SEGV $$; fi"
+        val result = report("$wait; $crash; ${compiled(0)} {scene} {picture}", "5.2").results.single()
+        assertEquals(RuleOutcome.CRASHED, result.outcome, result.message)
+        assertEquals("3 exact, 1 crashed", result.message)
     }
 
     @Test
