@@ -3,13 +3,13 @@
 
     peer.py [--linear] [--also TAGS] [--without TAGS] 'COMMAND OF THE PEER' SCENE PICTURE
 
-The peer is called with a file, --side N and --picture FILE. The file is that of Triangles.java in jmh; if its fourth
-number is 2, the w of each vertex follows, a float by which position and 1 are multiplied. The picture has N rows of N
-pixels, red, green, blue and alpha, a byte each, in sRGB, or, with --linear, in linear light. A scene may have opaque
-triangles and other convex polygons with one colour, and what is in TAGS, separated by commas: colors, perspective,
-depth-test, background; but not what --without says. Exit code 3 says that it has more. A peer with depth-test and
-background also gets --depth-test NAME, --background R,G,B,A (from 0 to 1, in linear light) and --background-depth D
-(from 0 to 1).
+The peer is called with a file, --side N and --picture FILE. The file is that of Triangles.java in jmh; if the number
+for perspective is 2, the w of each vertex follows, a float by which position and 1 are multiplied. The picture has N
+rows of N pixels, red, green, blue and alpha, a byte each, in sRGB, or, with --linear, in linear light. A scene may
+have opaque triangles and other convex polygons with one colour, and what is in TAGS, separated by commas: colors,
+perspective, depth-test, background; but not what --without says. Exit code 3 says that it has more. A peer with
+depth-test and background also gets --depth-test NAME, --background R,G,B,A (from 0 to 1, in linear light) and
+--background-depth D (from 0 to 1).
 """
 
 import argparse

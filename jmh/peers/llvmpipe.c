@@ -12,8 +12,8 @@
  * many frames and no warm-up.
  * --picture draws one frame into an sRGB target and writes it: red, green, blue, alpha, a byte each, rows from the top.
  *
- * Set LP_NUM_THREADS. The file's format is that of Triangles.write; if its fourth number is 2, the w of each vertex
- * follows.
+ * Set LP_NUM_THREADS. The file's format is that of Triangles.write; if the number for perspective is 2, the w of each
+ * vertex follows.
  */
 #define GL_GLEXT_PROTOTYPES 1
 #include <EGL/egl.h>
