@@ -192,6 +192,10 @@ public class Camera private constructor(
         Projection.Screen -> 1.0
     }
 
+    /** The visible height at a [distance] from the eye along the line of sight, world units; see [halfHeight]. */
+    public fun heightAt(distance: Double): Double =
+        2 * halfHeight() * (if (projection is Projection.Perspective) distance else 1.0)
+
     override fun toString(): String = "Camera(eye=$eye, backward=$backward, $projection, $near..$far)"
 
     public companion object {

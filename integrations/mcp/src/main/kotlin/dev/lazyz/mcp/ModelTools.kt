@@ -20,7 +20,6 @@ import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.scenes.writers.toPng
 import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.camera.Camera
-import dev.lazyz.world.camera.Projection
 import io.modelcontextprotocol.json.McpJsonDefaults
 import io.modelcontextprotocol.json.schema.JsonSchemaValidator
 import io.modelcontextprotocol.server.McpServer
@@ -200,10 +199,9 @@ internal class ModelTools(private val folder: ModelFolder, private val limits: L
         /** The camera by the parameters that choose it, and how large a pixel is at its target. */
         private fun facts(camera: Camera, up: UpAxis): Map<String, Any?> {
             val words = PictureSettings().seenBy(camera, up).options.map { it.removePrefix("--") }
-            val distance = if (camera.projection is Projection.Perspective) camera.eye.distance(camera.target) else 1.0
             return mapOf(
                 "camera" to words.associate { it.substringBefore('=') to it.substringAfter('=') },
-                "unitsPerPixel" to 2 * camera.halfHeight() * distance / size.height,
+                "unitsPerPixel" to camera.heightAt(camera.eye.distance(camera.target)) / size.height,
             )
         }
     }

@@ -92,10 +92,9 @@ internal class Orbit(
             val sign = if (backward.y > 0) -1.0 else 1.0
             val azimuth =
                 if (isVertical) Math.toDegrees(atan2(sign * upward.x, sign * upward.z)) else like.azimuth
-            val perspective = camera.projection as? Projection.Perspective
             return Orbit(
-                azimuth, like.elevation, Vector3d(camera.eye).fma(-depth, backward),
-                2 * camera.halfHeight() * (if (perspective == null) 1.0 else depth), perspective?.verticalFieldOfView,
+                azimuth, like.elevation, Vector3d(camera.eye).fma(-depth, backward), camera.heightAt(depth),
+                (camera.projection as? Projection.Perspective)?.verticalFieldOfView,
             )
         }
     }
@@ -104,8 +103,8 @@ internal class Orbit(
 /** Returns where [point] is in a picture of [width] x [height] pixels, or null if it is behind the eye. */
 internal fun Camera.pixel(point: Vector3dc, width: Int, height: Int): Point2D? {
     val seen = viewMatrix().transformPosition(point, Vector3d())
-    val depth = if (projection is Projection.Perspective) -seen.z else 1.0
-    if (!(depth > 0.0)) return null
-    val scale = height / (2 * halfHeight() * depth)
+    val depth = -seen.z
+    if (projection is Projection.Perspective && !(depth > 0.0)) return null
+    val scale = height / heightAt(depth)
     return Point2D.Double(width / 2.0 + scale * seen.x, height / 2.0 - scale * seen.y)
 }
