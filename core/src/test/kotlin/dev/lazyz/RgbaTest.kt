@@ -3,9 +3,9 @@ package dev.lazyz
 import dev.lazyz.world.light.Environment
 import dev.lazyz.world.light.Light.Falloff
 import dev.lazyz.world.light.ToneMapping
+import dev.lazyz.world.material.Material.NormalMap
+import dev.lazyz.world.material.Material.OcclusionMap
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.NormalMap
-import dev.lazyz.world.material.OcclusionMap
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap
 import org.junit.jupiter.api.Assertions.assertEquals

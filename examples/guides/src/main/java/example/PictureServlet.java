@@ -2,7 +2,7 @@ package example;
 
 import dev.lazyz.Image;
 import dev.lazyz.Renderer;
-import dev.lazyz.planning.RenderPlan;
+import dev.lazyz.planning.RenderPlanner.RenderPlan;
 import dev.lazyz.planning.RenderPlanner;
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadedScene;

@@ -1,6 +1,6 @@
 package example
 
-import dev.lazyz.planning.RenderPlan
+import dev.lazyz.planning.RenderPlanner.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadOptions

@@ -1,7 +1,7 @@
 package example;
 
 import dev.lazyz.Renderer;
-import dev.lazyz.planning.RenderPlan;
+import dev.lazyz.planning.RenderPlanner.RenderPlan;
 import dev.lazyz.planning.RenderPlanner;
 import dev.lazyz.scenes.LoadLimits;
 import dev.lazyz.scenes.LoadOptions;

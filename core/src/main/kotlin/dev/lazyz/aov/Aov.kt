@@ -1,6 +1,7 @@
 package dev.lazyz.aov
 
 import dev.lazyz.Counters
+import dev.lazyz.aov.AovFrame.AovImage
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.world.Scene
 

@@ -1,20 +1,14 @@
 package dev.lazyz.aov
 
 import dev.lazyz.Counters
-import dev.lazyz.DepthTest
-import dev.lazyz.FrameContent
-import dev.lazyz.Primitive
+import dev.lazyz.Region
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
-import dev.lazyz.distance
-import dev.lazyz.endIfInterrupted
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.geometry.UpAxis
-import dev.lazyz.spi.Fragment
-import dev.lazyz.spi.ShadingObserver
-import dev.lazyz.spi.Spans
+import dev.lazyz.world.surface.Surface
 import java.io.IOException
-import java.util.concurrent.atomic.AtomicIntegerArray
+import org.joml.Vector3d
 
 /**
  * A frame, and the AOVs that are computed when it is rendered.
@@ -95,198 +89,136 @@ public class AovFrame(public val frame: SampledFrame, public val aovs: Set<Aov>)
 
         override fun toString(): String = "AovImages(${images.joinToString { it.aov.id }})"
     }
-}
 
-/** The AOVs of work: how often something happens at the samples of a pixel. */
-internal object WorkAovs {
-    /** Counts the fragments of [sampled]. */
-    fun overdraw(sampled: SampledFrame): AovImage {
-        val counts = IntArray(Math.toIntExact(sampled.pixels.size))
-        val spans = Spans()
-        sampled.frame.content.forEachDrawn { primitive ->
-            endIfInterrupted()
-            addFragments(sampled, primitive, spans, counts)
+    /**
+     * One AOV of a picture: [Aov.channels] numbers for each pixel of [region], in rows from the top. The array is not
+     * copied; do not change it. Immutable and thread safe.
+     *
+     * @property aov what the numbers mean
+     * @property region the pixels
+     * @property lowest the number that formats of limited range show as 0: the near plane for [Aov.DEPTH]
+     * @property highest the number that they show as their maximum: the far plane for [Aov.DEPTH]
+     * @property samplesPerPixel number of samples of a pixel, over which counts are sums; at least 1
+     * @property names for [Aov.OBJECT], the name of each object of the scene by its number, see [Surface.name];
+     *   otherwise empty
+     */
+    public class AovImage private constructor(
+        public val aov: Aov,
+        public val region: Region,
+        public val lowest: Double,
+        public val highest: Double,
+        private val reals: FloatArray,
+        private val integers: IntArray,
+        public val samplesPerPixel: Int,
+        public val names: List<String>,
+    ) {
+        init {
+            require(samplesPerPixel >= 1) { "samplesPerPixel must be at least 1: $samplesPerPixel" }
+            val size = region.size * aov.channels.size
+            val found = if (aov.isInteger) integers.size else reals.size
+            require(found.toLong() == size) { "'${aov.id}' of $region needs $size numbers: $found" }
         }
-        return AovImage(Aov.OVERDRAW, sampled.pixels, counts, samplesPerPixel(sampled))
-    }
 
-    private fun samplesPerPixel(sampled: SampledFrame) = sampled.sampling.factor * sampled.sampling.factor
-
-    private fun addFragments(sampled: SampledFrame, primitive: Primitive, spans: Spans, counts: IntArray) {
-        val pixels = sampled.pixels
-        val factor = sampled.sampling.factor
-        val firstColumn = pixels.columnStart * factor
-        val endColumn = pixels.columnEnd * factor
-        if (primitive.columnStart >= endColumn || primitive.columnEnd <= firstColumn) return
-        val end = minOf(primitive.rowEnd, pixels.rowEnd * factor)
-        for (y in maxOf(primitive.rowStart, pixels.rowStart * factor) until end) {
-            spans.clear()
-            primitive.spans(y, spans)
-            val row = (y / factor - pixels.rowStart) * pixels.width - pixels.columnStart
-            for (i in 0 until spans.count) {
-                // The part of the span in each pixel
-                var x = maxOf(spans.start(i), firstColumn)
-                val until = minOf(spans.end(i), endColumn)
-                while (x < until) {
-                    val next = minOf((x / factor + 1) * factor, until)
-                    val at = row + x / factor
-                    counts[at] = minOf(counts[at].toLong() + (next - x), Int.MAX_VALUE.toLong()).toInt()
-                    x = next
-                }
-            }
+        /**
+         * Creates an image of an AOV whose numbers are of single precision.
+         *
+         * @throws IllegalArgumentException if [aov] has integers, or [floats] has not the right size
+         */
+        public constructor(aov: Aov, region: Region, floats: FloatArray, lowest: Double, highest: Double) :
+            this(aov, region, lowest, highest, floats, IntArray(0), 1, emptyList()) {
+            require(!aov.isInteger) { "'${aov.id}' has integers" }
         }
-    }
 
-    /** Counts the shading calls of [renderer] in another rendering of [sampled]. */
-    fun shadingCalls(sampled: SampledFrame, renderer: Renderer): AovImage {
-        val pixels = sampled.pixels
-        val factor = sampled.sampling.factor
-        val counts = AtomicIntegerArray(Math.toIntExact(pixels.size))
-        val observer = ShadingObserver { x, y, _ ->
-            val column = x / factor
-            val row = y / factor
-            if (pixels.contains(column, row)) {
-                counts.incrementAndGet((row - pixels.rowStart) * pixels.width + column - pixels.columnStart)
-            }
+        /**
+         * Creates an image of an AOV whose numbers are integers.
+         *
+         * @param names see [AovImage.names]; the list is not copied
+         * @throws IllegalArgumentException if [aov] has no integers, [ints] has not the right size, [samplesPerPixel]
+         *   is below 1, or there are names and [aov] is not [Aov.OBJECT]
+         */
+        @JvmOverloads
+        public constructor(
+            aov: Aov,
+            region: Region,
+            ints: IntArray,
+            samplesPerPixel: Int = 1,
+            names: List<String> = emptyList(),
+        ) : this(aov, region, aov.background, Int.MAX_VALUE.toDouble(), FloatArray(0), ints, samplesPerPixel, names) {
+            require(aov.isInteger) { "'${aov.id}' has no integers" }
+            require(names.isEmpty() || aov == Aov.OBJECT) { "'${aov.id}' has no names" }
         }
-        sampled.observed(observer).render(renderer) { _, _, _, _ -> }
-        return AovImage(Aov.SHADING_CALLS, pixels, IntArray(counts.length()) { counts[it] }, samplesPerPixel(sampled))
-    }
-}
 
-/**
- * Receives the rows of samples of [sampled], finds the sample of each pixel that wins the depth test, and computes
- * [aovs] there. Belongs to one rendering.
- */
-internal class PointAovs(private val sampled: SampledFrame, private val aovs: List<Aov>) : RowSink {
-    private val pixels = sampled.pixels
-    private val factor = sampled.sampling.factor
-    private val raster = sampled.frame.raster
-    private val view = sampled.frame.content.view
+        /** Number of columns. */
+        public val width: Int get() = region.width
 
-    /** Distance of a pixel's first sample from the first sample of a row. */
-    private val firstSample = pixels.columnStart * factor - sampled.frame.region.columnStart
-    private val primitives = RecentPrimitives(sampled.frame.content)
-    private val fragment = Fragment()
-    private val needsGeometry = aovs.any { it == Aov.NORMAL || it == Aov.POSITION || it == Aov.UV }
+        /** Number of rows. */
+        public val height: Int get() = region.height
 
-    // The row of pixels that is in progress: key and place of each winner, and the number of covered samples
-    private val keys = LongArray(pixels.width)
-    private val columns = IntArray(pixels.width)
-    private val rows = IntArray(pixels.width)
-    private val covered = IntArray(pixels.width)
+        /** The numbers: channels of a pixel, pixels of a row, rows from the top. Empty if [Aov.isInteger]. */
+        public val floats: FloatArray get() = reals
 
-    private val size = if (aovs.isEmpty()) 0 else Math.toIntExact(pixels.size)
-    private val floats = aovs.filter { !it.isInteger }.associateWith { FloatArray(size * it.channels.size) }
-    private val objects = if (Aov.OBJECT in aovs) IntArray(size) else null
-    private val indices = if (Aov.PRIMITIVE in aovs) IntArray(size) else null
-    private val depths = floats[Aov.DEPTH]
-    private val normals = floats[Aov.NORMAL]
-    private val positions = floats[Aov.POSITION]
-    private val uvs = floats[Aov.UV]
-    private val coverage = floats[Aov.COVERAGE]
+        /** The numbers: pixels of a row, rows from the top. Empty unless [Aov.isInteger]. */
+        public val ints: IntArray get() = integers
 
-    override fun row(y: Int, argb: IntArray, depth: IntArray, primitive: IntArray) {
-        // A filter that is wider than a pixel has more rows
-        val row = y / factor
-        if (aovs.isEmpty() || row !in pixels.rowStart until pixels.rowEnd) return
-        if (y % factor == 0) {
-            keys.fill(Long.MAX_VALUE)
-            covered.fill(0)
+        /**
+         * Returns number [channel] of the pixel with the given [index], counted in rows from the top, from 0.
+         *
+         * @throws IllegalArgumentException if there is no such channel
+         * @throws IndexOutOfBoundsException if there is no such pixel
+         */
+        public fun numberAt(index: Int, channel: Int): Double {
+            require(channel in aov.channels.indices) { "channel must be in ${aov.channels.indices}: $channel" }
+            val at = index * aov.channels.size + channel
+            return if (aov.isInteger) integers[at].toDouble() else reals[at].toDouble()
         }
-        for (x in keys.indices) {
-            val start = firstSample + x * factor
-            for (i in start until start + factor) {
-                if (primitive[i] != DepthTest.BACKGROUND) covered[x]++
-                val key = raster.depthTest.key(depth[i], primitive[i])
-                if (key >= keys[x]) continue
-                keys[x] = key
-                columns[x] = sampled.frame.region.columnStart + i
-                rows[x] = y
-            }
-        }
-        if (y % factor == factor - 1) for (x in keys.indices) end(x, (row - pixels.rowStart) * pixels.width + x)
-    }
 
-    /** Computes the numbers of the pixel in column [x] of the row, whose index in the image is [at]. */
-    private fun end(x: Int, at: Int) {
-        val index = raster.depthTest.indexOf(keys[x])
-        val isCovered = index != DepthTest.BACKGROUND
-        coverage?.set(at, covered[x].toFloat() / (factor * factor))
-        indices?.set(at, index)
-        objects?.set(at, if (isCovered) view.objectOf(index) else index)
-        depths?.set(at, Float.POSITIVE_INFINITY)
-        if (!isCovered || (depths == null && !needsGeometry)) return
-        val primitive = primitives[index]
-        if (depths != null) {
-            fragment.moveTo(columns[x], rows[x])
-            val unit = raster.convention.toUnit(raster.depthTest.depthOf(keys[x]))
-            depths[at] = view.distance(unit, primitive, fragment).toFloat()
+        /**
+         * Returns number [channel] at column [x] and row [y] of the whole picture.
+         *
+         * @throws IllegalArgumentException if the pixel is not in [region], or there is no such channel
+         */
+        @JvmOverloads
+        public fun number(x: Int, y: Int, channel: Int = 0): Double {
+            require(region.contains(x, y)) { "pixel must be within $region: ($x, $y)" }
+            return numberAt((y - region.rowStart) * width + x - region.columnStart, channel)
         }
-        if (needsGeometry) {
-            fragment.moveTo(columns[x], rows[x])
-            primitive.geometry(fragment)
-            store(at)
-        }
-    }
 
-    private fun store(at: Int) {
-        if (positions != null) {
-            positions[3 * at] = (view.originX + fragment.worldX).toFloat()
-            positions[3 * at + 1] = (view.originY + fragment.worldY).toFloat()
-            positions[3 * at + 2] = (view.originZ + fragment.worldZ).toFloat()
+        /**
+         * Returns the name of the object at column [x] and row [y] of the whole picture; an empty text if it has none,
+         * and null if nothing is visible there.
+         *
+         * @throws IllegalArgumentException if the pixel is not in [region], or this is not [Aov.OBJECT]
+         */
+        public fun name(x: Int, y: Int): String? {
+            require(aov == Aov.OBJECT) { "'${aov.id}' has no names: ask for '${Aov.OBJECT.id}'" }
+            val number = number(x, y).toInt()
+            return if (number < 0) null else names.getOrElse(number) { "" }
         }
-        if (normals != null) {
-            val x = fragment.normalX.toDouble()
-            val y = fragment.normalY.toDouble()
-            val z = fragment.normalZ.toDouble()
-            val length = StrictMath.sqrt(x * x + y * y + z * z)
-            if (length > 0.0) {
+
+        /**
+         * Returns positions and normals in the coordinates of a model whose axis [up] points up, see [UpAxis.toModel].
+         * Other AOVs are returned as they are.
+         */
+        public fun toModel(up: UpAxis): AovImage {
+            if (up == UpAxis.Y || (aov != Aov.NORMAL && aov != Aov.POSITION)) return this
+            val turned = FloatArray(reals.size)
+            for (at in reals.indices step 3) {
+                val v = up.toModel(Vector3d(reals[at].toDouble(), reals[at + 1].toDouble(), reals[at + 2].toDouble()))
+
                 // A sum with 0 makes negative zeros positive
-                normals[3 * at] = (x / length + 0.0).toFloat()
-                normals[3 * at + 1] = (y / length + 0.0).toFloat()
-                normals[3 * at + 2] = (z / length + 0.0).toFloat()
+                turned[at] = (v.x + 0.0).toFloat()
+                turned[at + 1] = (v.y + 0.0).toFloat()
+                turned[at + 2] = (v.z + 0.0).toFloat()
             }
+            return AovImage(aov, region, turned, lowest, highest)
         }
-        if (uvs != null) {
-            uvs[2 * at] = fragment.u
-            uvs[2 * at + 1] = fragment.v
-        }
-    }
 
-    /** Returns the images, without copying them. Call it once, after the last row. */
-    fun images(): List<AovImage> = aovs.map { aov ->
-        when (aov) {
-            Aov.OBJECT -> AovImage(aov, pixels, objects!!, names = view.objectNames)
-            Aov.PRIMITIVE -> AovImage(aov, pixels, indices!!)
-            Aov.DEPTH -> AovImage(aov, pixels, depths!!, view.near, view.far)
-            Aov.NORMAL -> AovImage(aov, pixels, normals!!, -1.0, 1.0)
-            Aov.POSITION -> AovImage(aov, pixels, positions!!, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY)
-            else -> AovImage(aov, pixels, floats.getValue(aov), 0.0, 1.0)
-        }
-    }
-}
+        /** Compares what it is, the region and the bits of all numbers. */
+        override fun equals(other: Any?): Boolean = other is AovImage && aov == other.aov && region == other.region &&
+            reals.contentEquals(other.reals) && integers.contentEquals(other.integers)
 
-/** The primitives of [content] by submission index, without objects for all of them. Keeps recent ones; one thread. */
-private class RecentPrimitives(content: FrameContent) {
-    private val read = content.reader()
+        override fun hashCode(): Int = (aov.hashCode() * 31 + reals.contentHashCode()) * 31 + integers.contentHashCode()
 
-    /** Recent primitives, by the lower bits of their indices. */
-    private val known = arrayOfNulls<Primitive>(KNOWN)
-    private val indices = IntArray(KNOWN) { DepthTest.BACKGROUND }
-
-    /** Returns the primitive with submission index [index], which is visible somewhere. */
-    operator fun get(index: Int): Primitive {
-        val slot = index and KNOWN - 1
-        if (indices[slot] != index) {
-            known[slot] = read(index)
-            indices[slot] = index
-        }
-        return checkNotNull(known[slot])
-    }
-
-    private companion object {
-        /** Number of primitives that are kept, a power of two. */
-        const val KNOWN = 4096
+        override fun toString(): String = "AovImage(${aov.id}, $region)"
     }
 }

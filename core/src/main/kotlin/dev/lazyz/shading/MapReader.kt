@@ -2,7 +2,7 @@ package dev.lazyz.shading
 
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.FragmentBatch
-import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.Material.NormalMap
 import dev.lazyz.world.material.TextureMap
 import kotlin.math.sqrt
 

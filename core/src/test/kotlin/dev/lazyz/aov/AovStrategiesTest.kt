@@ -12,6 +12,7 @@ import dev.lazyz.Renderer
 import dev.lazyz.SampleScenes
 import dev.lazyz.Selector
 import dev.lazyz.ShadingRate
+import dev.lazyz.aov.AovFrame.AovImage
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.filter.SuperSampling.PixelFilter

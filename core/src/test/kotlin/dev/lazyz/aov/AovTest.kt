@@ -7,6 +7,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Region
 import dev.lazyz.Rgba
+import dev.lazyz.aov.AovFrame.AovImage
 import dev.lazyz.aov.AovFrame.AovImages
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling

@@ -6,6 +6,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.SampleScenes
 import dev.lazyz.filter.SuperSampling
+import dev.lazyz.planning.RenderPlanner.RenderPlan
 import dev.lazyz.strategies.Renderers
 import dev.lazyz.strategies.lazy.LazyRenderer
 import dev.lazyz.strategies.lists.ListsRenderer

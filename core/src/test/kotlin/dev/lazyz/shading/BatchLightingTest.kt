@@ -15,10 +15,10 @@ import dev.lazyz.world.light.SceneLight
 import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.NormalMap
+import dev.lazyz.world.material.Material.OcclusionMap
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.NormalMap
-import dev.lazyz.world.material.OcclusionMap
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap
 import java.util.Random

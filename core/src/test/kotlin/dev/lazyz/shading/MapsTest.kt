@@ -8,9 +8,9 @@ import dev.lazyz.world.light.Environment
 import dev.lazyz.world.light.Light
 import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.NormalMap
+import dev.lazyz.world.material.Material.OcclusionMap
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.NormalMap
-import dev.lazyz.world.material.OcclusionMap
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap
 import dev.lazyz.world.material.TextureMap.UvTransform

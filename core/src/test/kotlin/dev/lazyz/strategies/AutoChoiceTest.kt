@@ -8,6 +8,7 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
 import dev.lazyz.Selector
 import dev.lazyz.samples
+import dev.lazyz.strategies.Renderers.StrategyEstimates
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material

@@ -14,7 +14,7 @@ import dev.lazyz.cli.render.PictureFile
 import dev.lazyz.cli.render.StatsForm
 import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.scenes.writers.animation.AnimationFormat
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.extension

@@ -32,7 +32,7 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.strategies.StrategyPath
 import dev.lazyz.scenes.pictures.NamedValues
 import dev.lazyz.scenes.pictures.PictureParameters
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 
 /**
  * `zcli compare`: declares the options. [CompareJob] and [CompareSeveralJob] do the work.

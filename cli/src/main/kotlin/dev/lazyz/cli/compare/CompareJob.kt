@@ -13,7 +13,7 @@ import dev.lazyz.cli.strategies.Choices
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.scenes.LoadedScene
 import dev.lazyz.scenes.pictures.PictureFrame
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 
 /**
  * Renders frames with all strategies of [request], one after the other, and compares each picture with the first.

@@ -14,7 +14,7 @@ import dev.lazyz.cli.output.StatisticsTable
 import dev.lazyz.cli.output.printable
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.scenes.pictures.PictureFrame
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.addJsonObject
 import kotlinx.serialization.json.buildJsonObject

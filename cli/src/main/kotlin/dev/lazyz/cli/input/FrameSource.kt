@@ -21,7 +21,7 @@ import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.Camera
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 import java.nio.file.Path
 import java.time.Duration
 

@@ -7,7 +7,7 @@ import dev.lazyz.cli.batch.Series
 import dev.lazyz.scenes.outputs.PictureOutput
 import dev.lazyz.scenes.pictures.NamedValues
 import dev.lazyz.scenes.writers.animation.Animation
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 
 /** Options for several pictures. */
 internal class SeriesOptions : OptionGroup("Several pictures") {

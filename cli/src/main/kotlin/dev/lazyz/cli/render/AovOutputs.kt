@@ -3,7 +3,7 @@ package dev.lazyz.cli.render
 import dev.lazyz.Image
 import dev.lazyz.aov.Aov
 import dev.lazyz.aov.AovFrame.AovImages
-import dev.lazyz.aov.AovImage
+import dev.lazyz.aov.AovFrame.AovImage
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.cli.output.OutputFile
 import dev.lazyz.scenes.aov.AovFiles

@@ -2,7 +2,7 @@ package dev.lazyz.cli.render
 
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.output.Mistake
-import dev.lazyz.planning.RenderPlan
+import dev.lazyz.planning.RenderPlanner.RenderPlan
 import dev.lazyz.scenes.SceneFormat
 
 /**

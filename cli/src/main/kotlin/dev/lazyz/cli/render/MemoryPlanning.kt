@@ -5,7 +5,7 @@ import dev.lazyz.Region
 import dev.lazyz.cli.input.FrameSource
 import dev.lazyz.cli.output.Bytes
 import dev.lazyz.cli.strategies.StrategyChoice
-import dev.lazyz.planning.RenderPlan
+import dev.lazyz.planning.RenderPlanner.RenderPlan
 import dev.lazyz.planning.RenderPlanner
 import dev.lazyz.scenes.LoadOptions
 import dev.lazyz.scenes.LoadedScene

@@ -11,7 +11,7 @@ import dev.lazyz.cli.output.OutputTemplate
 import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.printable
 import dev.lazyz.conformance.report.ShellWords
-import dev.lazyz.planning.RenderPlan
+import dev.lazyz.planning.RenderPlanner.RenderPlan
 import dev.lazyz.scenes.pictures.PictureFrame
 import dev.lazyz.scenes.writers.AlphaChannel
 import dev.lazyz.scenes.writers.PfmSink

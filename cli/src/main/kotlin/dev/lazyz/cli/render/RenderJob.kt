@@ -14,7 +14,7 @@ import dev.lazyz.cli.output.Streams
 import dev.lazyz.cli.output.Tally
 import dev.lazyz.cli.strategies.Strategies
 import dev.lazyz.cli.strategies.StrategyChoice
-import dev.lazyz.planning.RenderPlan
+import dev.lazyz.planning.RenderPlanner.RenderPlan
 import dev.lazyz.scenes.LoadedScene
 import java.nio.file.Path
 import kotlinx.serialization.json.JsonObject

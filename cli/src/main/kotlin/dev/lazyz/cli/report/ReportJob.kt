@@ -3,8 +3,8 @@ package dev.lazyz.cli.report
 import dev.lazyz.Image
 import dev.lazyz.Renderer
 import dev.lazyz.aov.Aov
+import dev.lazyz.aov.AovFrame.AovImage
 import dev.lazyz.aov.AovFrame.AovImages
-import dev.lazyz.aov.AovImage
 import dev.lazyz.cli.compare.CompareJob
 import dev.lazyz.cli.compare.CompareRequest
 import dev.lazyz.cli.compare.Comparison

@@ -9,7 +9,7 @@ import dev.lazyz.Selector
 import dev.lazyz.StreamingRenderer
 import dev.lazyz.cli.output.Mistake
 import dev.lazyz.strategies.Renderers
-import dev.lazyz.strategies.StrategyEstimates
+import dev.lazyz.strategies.Renderers.StrategyEstimates
 
 /**
  * Chooses the strategy of a rendering: the one that the user named, or the first that supports what the options and the

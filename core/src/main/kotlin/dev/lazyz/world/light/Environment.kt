@@ -1,8 +1,8 @@
 package dev.lazyz.world.light
 
 import dev.lazyz.geometry.UpAxis
+import dev.lazyz.world.material.Material.OcclusionMap
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.OcclusionMap
 import org.joml.Vector3d
 import org.joml.Vector3dc
 

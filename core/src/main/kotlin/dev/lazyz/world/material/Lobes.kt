@@ -1,6 +1,7 @@
 package dev.lazyz.world.material
 
 import dev.lazyz.Rgba
+import dev.lazyz.world.material.Material.NormalMap
 
 /**
  * What a physically based material reflects and lets through besides its metallic-roughness model (contract rule 6.16):

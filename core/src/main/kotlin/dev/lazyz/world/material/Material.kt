@@ -301,4 +301,51 @@ public class Material private constructor(
         /** As [PHONG], but the highlight uses the halfway vector (Blinn 1977). */
         BLINN_PHONG,
     }
+
+    /**
+     * A texture that changes the normals of a surface at each sample (contract rule 6.9). Immutable and thread safe.
+     *
+     * Red, green and blue are the components of a normal, from -1 (code 0) to 1 (code 255): along the tangent, along
+     * the bitangent, and along the normal of the surface, as in glTF 2.0, section 3.9.3. The tangents of the surface
+     * must belong to the texture coordinates of [map]. Where a surface has no tangents, its normals are not changed.
+     *
+     * @property map the texture, which should have [Texture.Encoding.LINEAR]
+     * @property scale factor of the red and green components
+     * @throws IllegalArgumentException if [scale] is not finite
+     */
+    public class NormalMap @JvmOverloads constructor(public val map: TextureMap, public val scale: Float = 1f) {
+        init {
+            require(scale.isFinite()) { "scale of a normal map must be finite: $scale" }
+        }
+
+        override fun equals(other: Any?): Boolean =
+            other is NormalMap && map == other.map && scale.compareTo(other.scale) == 0
+
+        override fun hashCode(): Int = map.hashCode() * 31 + scale.hashCode()
+
+        override fun toString(): String = "NormalMap($map, $scale)"
+    }
+
+    /**
+     * A texture that darkens indirect light, where a surface hides itself (contract rule 6.9). Immutable and thread
+     * safe.
+     *
+     * Ambient light and light of the environment are multiplied by `1 + strength * (red - 1)`.
+     *
+     * @property map the texture, which should have [Texture.Encoding.LINEAR]; only its red component is used
+     * @property strength 0 for no effect, 1 for the full effect
+     * @throws IllegalArgumentException if [strength] is not in 0..1
+     */
+    public class OcclusionMap @JvmOverloads constructor(public val map: TextureMap, public val strength: Float = 1f) {
+        init {
+            require(strength in 0f..1f) { "strength must be in 0..1: $strength" }
+        }
+
+        override fun equals(other: Any?): Boolean =
+            other is OcclusionMap && map == other.map && strength.compareTo(other.strength) == 0
+
+        override fun hashCode(): Int = map.hashCode() * 31 + strength.hashCode()
+
+        override fun toString(): String = "OcclusionMap($map, $strength)"
+    }
 }

@@ -13,7 +13,7 @@ import dev.lazyz.geometry.Vectors
 import dev.lazyz.geometry.VertexTransforms
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
-import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.Material.NormalMap
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap.UvTransform
 import java.util.function.UnaryOperator

@@ -2,8 +2,8 @@ package dev.lazyz.mcp
 
 import dev.lazyz.Renderer
 import dev.lazyz.geometry.UpAxis
-import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
+import dev.lazyz.planning.RenderPlanner.RenderPlan
 import dev.lazyz.scenes.ClientText
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits

@@ -7,7 +7,7 @@ import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.world.Scene
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 import java.awt.Color
 import java.awt.Dimension
 import java.awt.Graphics

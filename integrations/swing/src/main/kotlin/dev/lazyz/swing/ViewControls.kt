@@ -2,7 +2,7 @@ package dev.lazyz.swing
 
 import dev.lazyz.scenes.pictures.CutPlane
 import dev.lazyz.scenes.pictures.PictureParameters
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 import java.awt.event.ActionEvent
 import java.awt.event.MouseAdapter
 import java.awt.event.MouseEvent

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import dev.lazyz.scenes.formats.Scenes;
 import dev.lazyz.scenes.pictures.PictureParameters;
 import dev.lazyz.scenes.pictures.PictureSettings;
-import dev.lazyz.world.camera.View;
+import dev.lazyz.world.camera.FittedViewpoint.View;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.SwingUtilities;

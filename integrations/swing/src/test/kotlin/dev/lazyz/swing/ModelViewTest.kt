@@ -8,7 +8,7 @@ import dev.lazyz.scenes.pictures.Backdrop
 import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.strategies.tiled.TiledRenderer
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 import java.awt.GraphicsConfiguration
 import java.awt.Rectangle
 import java.awt.event.ActionEvent

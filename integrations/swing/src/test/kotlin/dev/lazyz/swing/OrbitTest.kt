@@ -6,7 +6,7 @@ import dev.lazyz.scenes.formats.Scenes
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.camera.FittedViewpoint.Fit
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 import org.joml.Vector3d
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -4,7 +4,7 @@ import dev.lazyz.jmh.report.Charts;
 import dev.lazyz.jmh.report.GeneratedPage;
 import dev.lazyz.jmh.report.Measurements;
 import dev.lazyz.strategies.FrameNumbers;
-import dev.lazyz.strategies.StrategyEstimates;
+import dev.lazyz.strategies.Renderers.StrategyEstimates;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,7 +1,7 @@
 package dev.lazyz.scenes.aov
 
 import dev.lazyz.aov.Aov
-import dev.lazyz.aov.AovImage
+import dev.lazyz.aov.AovFrame.AovImage
 import dev.lazyz.scenes.writers.AtomicFile
 import dev.lazyz.scenes.writers.PfmRows
 import dev.lazyz.scenes.writers.PngChunks

@@ -2,7 +2,7 @@ package dev.lazyz.scenes.aov
 
 import dev.lazyz.Rgba
 import dev.lazyz.aov.Aov
-import dev.lazyz.aov.AovImage
+import dev.lazyz.aov.AovFrame.AovImage
 import java.math.BigDecimal
 import java.math.MathContext
 import kotlin.math.floor

@@ -2,7 +2,7 @@ package dev.lazyz.scenes.aov
 
 import dev.lazyz.Image
 import dev.lazyz.aov.Aov
-import dev.lazyz.aov.AovImage
+import dev.lazyz.aov.AovFrame.AovImage
 import dev.lazyz.scenes.pictures.Canvas
 import dev.lazyz.scenes.pictures.PixelFont
 

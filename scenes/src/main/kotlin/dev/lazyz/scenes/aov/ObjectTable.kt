@@ -2,7 +2,7 @@ package dev.lazyz.scenes.aov
 
 import dev.lazyz.Region
 import dev.lazyz.aov.Aov
-import dev.lazyz.aov.AovImage
+import dev.lazyz.aov.AovFrame.AovImage
 import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.Scene
 import dev.lazyz.world.surface.Surface

@@ -23,6 +23,7 @@ internal class NotebookIntegration : JupyterIntegration() {
     override fun Builder.onLoaded() {
         import("dev.lazyz.*", "dev.lazyz.scenes.*", "dev.lazyz.scenes.formats.*", "dev.lazyz.scenes.pictures.*")
         import("dev.lazyz.scenes.writers.*", "dev.lazyz.world.*", "dev.lazyz.world.camera.*", "dev.lazyz.world.light.*")
+        import("dev.lazyz.world.camera.FittedViewpoint.*", "dev.lazyz.world.material.Material.*")
         import("dev.lazyz.world.material.*", "dev.lazyz.world.surface.*")
         render<Image> { picture(it) }
         render<PictureFrame> { picture(it.render(TiledRenderer())) }

@@ -19,7 +19,7 @@ import dev.lazyz.scenes.pictures.VisibleRows
 import dev.lazyz.scenes.writers.PngSink
 import dev.lazyz.scenes.writers.animation.Animation
 import dev.lazyz.scenes.writers.animation.ApngSink
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 import java.io.IOException
 import java.io.OutputStream
 

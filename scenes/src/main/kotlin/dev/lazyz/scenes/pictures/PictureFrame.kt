@@ -15,8 +15,8 @@ import dev.lazyz.filter.PixelBackground
 import dev.lazyz.filter.SampledFrame
 import dev.lazyz.filter.SuperSampling.PixelFilter
 import dev.lazyz.geometry.UpAxis
-import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
+import dev.lazyz.planning.RenderPlanner.RenderPlan
 import dev.lazyz.scenes.ImageSize
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.images.RadianceImage

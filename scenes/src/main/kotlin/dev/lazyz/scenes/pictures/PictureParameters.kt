@@ -16,8 +16,8 @@ import dev.lazyz.scenes.pictures.NamedValues.Companion.list
 import dev.lazyz.scenes.pictures.NamedValues.Companion.words
 import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.camera.FittedViewpoint.Fit
+import dev.lazyz.world.camera.FittedViewpoint.View
 import dev.lazyz.world.camera.Projection
-import dev.lazyz.world.camera.View
 import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Texture.MipFilter

@@ -10,9 +10,9 @@ import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.writers.PngSink
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.NormalMap
+import dev.lazyz.world.material.Material.OcclusionMap
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.NormalMap
-import dev.lazyz.world.material.OcclusionMap
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.material.TextureMap

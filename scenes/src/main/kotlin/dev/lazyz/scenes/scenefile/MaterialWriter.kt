@@ -5,7 +5,7 @@ import dev.lazyz.scenes.Tint
 import dev.lazyz.scenes.json.JsonWriter
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
-import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.Material.NormalMap
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.material.TextureMap

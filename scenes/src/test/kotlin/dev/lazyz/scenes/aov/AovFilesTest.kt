@@ -3,7 +3,7 @@ package dev.lazyz.scenes.aov
 import com.fasterxml.jackson.databind.ObjectMapper
 import dev.lazyz.Region
 import dev.lazyz.aov.Aov
-import dev.lazyz.aov.AovImage
+import dev.lazyz.aov.AovFrame.AovImage
 import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.ByteOrder

@@ -3,7 +3,7 @@ package dev.lazyz.scenes.aov
 import dev.lazyz.Region
 import dev.lazyz.Rgba
 import dev.lazyz.aov.Aov
-import dev.lazyz.aov.AovImage
+import dev.lazyz.aov.AovFrame.AovImage
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

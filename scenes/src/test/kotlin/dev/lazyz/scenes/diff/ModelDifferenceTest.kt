@@ -11,7 +11,7 @@ import dev.lazyz.scenes.pictures.PictureParameters
 import dev.lazyz.scenes.pictures.PictureSettings
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Surface

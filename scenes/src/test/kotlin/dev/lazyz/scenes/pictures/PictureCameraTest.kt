@@ -18,8 +18,8 @@ import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.camera.FittedViewpoint
 import dev.lazyz.world.camera.FittedViewpoint.Fit
+import dev.lazyz.world.camera.FittedViewpoint.View
 import dev.lazyz.world.camera.Projection
-import dev.lazyz.world.camera.View
 import dev.lazyz.world.camera.Viewpoint
 import dev.lazyz.world.surface.Mesh
 import dev.lazyz.world.surface.Sphere

@@ -13,7 +13,7 @@ import dev.lazyz.strategies.tiled.TiledRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.camera.FittedViewpoint.Fit
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 import dev.lazyz.world.surface.Mesh
 import java.io.ByteArrayInputStream
 import java.io.ByteArrayOutputStream

@@ -17,11 +17,11 @@ import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.NormalMap
+import dev.lazyz.world.material.Material.OcclusionMap
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.NormalMap
-import dev.lazyz.world.material.OcclusionMap
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter
 import dev.lazyz.world.material.TextureMap

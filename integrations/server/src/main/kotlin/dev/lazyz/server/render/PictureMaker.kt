@@ -2,8 +2,8 @@ package dev.lazyz.server.render
 
 import dev.lazyz.RenderOptions
 import dev.lazyz.aov.Aov
-import dev.lazyz.planning.RenderPlan
 import dev.lazyz.planning.RenderPlanner
+import dev.lazyz.planning.RenderPlanner.RenderPlan
 import dev.lazyz.scenes.ClientText
 import dev.lazyz.scenes.LoadLimits
 import dev.lazyz.scenes.LoadedScene

@@ -18,7 +18,7 @@ import dev.lazyz.server.RenderServer
 import dev.lazyz.server.ServerConfig
 import dev.lazyz.shared.PictureWords
 import dev.lazyz.strategies.tiled.TiledRenderer
-import dev.lazyz.world.camera.View
+import dev.lazyz.world.camera.FittedViewpoint.View
 import java.io.ByteArrayOutputStream
 import java.net.URLEncoder
 import java.nio.file.Path

@@ -14,7 +14,7 @@ import dev.lazyz.scenes.gltf.document.MaterialJson
 import dev.lazyz.scenes.gltf.document.SpecularGlossiness
 import dev.lazyz.scenes.gltf.document.SpecularGlossiness.TEXTURE
 import dev.lazyz.world.material.Lobes
-import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.Material.NormalMap
 import dev.lazyz.world.material.Texture.Encoding
 
 /** Reads the extensions of a material that become [Lobes]; those that change nothing count as missing. */

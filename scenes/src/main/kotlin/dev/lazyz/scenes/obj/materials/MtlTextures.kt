@@ -5,7 +5,7 @@ import dev.lazyz.scenes.images.TextureFiles
 import dev.lazyz.scenes.images.code
 import dev.lazyz.scenes.loading.Source
 import dev.lazyz.scenes.text.TextLines
-import dev.lazyz.world.material.NormalMap
+import dev.lazyz.world.material.Material.NormalMap
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap
 import dev.lazyz.world.material.TextureMap.UvTransform

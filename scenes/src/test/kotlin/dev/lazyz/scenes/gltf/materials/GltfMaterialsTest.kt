@@ -16,10 +16,10 @@ import dev.lazyz.scenes.loading.meshes
 import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.NormalMap
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Material.Sides
 import dev.lazyz.world.material.MetallicRoughness
-import dev.lazyz.world.material.NormalMap
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap.UvTransform
 import dev.lazyz.world.surface.Mesh
