@@ -20,7 +20,6 @@ import dev.lazyz.scenes.pictures.PictureFrame;
 import dev.lazyz.scenes.pictures.PictureSettings;
 import dev.lazyz.scenes.pictures.PictureStyle;
 import dev.lazyz.scenes.pictures.Turntable;
-import dev.lazyz.scenes.writers.BufferedImages;
 import dev.lazyz.scenes.writers.Images;
 import dev.lazyz.strategies.tiled.TiledRenderer;
 import dev.lazyz.world.Scene;
@@ -67,7 +66,7 @@ public final class TenMinutes {
 
     static BufferedImage thumbnail(Path file) throws IOException, InterruptedException {
         PictureSettings small = new PictureSettings(128, 128).with(BACKGROUND, new Backdrop(Rgba.TRANSPARENT));
-        return BufferedImages.toBufferedImage(small.frame(Scenes.load(file)).render(new TiledRenderer()));
+        return Images.toBufferedImage(small.frame(Scenes.load(file)).render(new TiledRenderer()));
     }
 
     static String pick(LoadedScene model, int x, int y) throws InterruptedException {
@@ -85,7 +84,7 @@ public final class TenMinutes {
         List<Callable<BufferedImage>> tasks = new ArrayList<>();
         for (int i = 0; i < steps; i++) {
             int step = i;
-            tasks.add(() -> BufferedImages.toBufferedImage(turntable.frame(step, one).render(renderer)));
+            tasks.add(() -> Images.toBufferedImage(turntable.frame(step, one).render(renderer)));
         }
         ExecutorService workers = Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
         try {

@@ -3,7 +3,6 @@ package dev.lazyz.jmh;
 import dev.lazyz.Image;
 import dev.lazyz.Image.PixelHash;
 import dev.lazyz.jmh.workload.Workloads;
-import dev.lazyz.scenes.writers.BufferedImages;
 import dev.lazyz.scenes.writers.Images;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -76,7 +75,7 @@ public class PngBenchmark {
     /** Returns an image without an alpha channel, as the project's writer writes it. */
     private static BufferedImage opaque(Image image) {
         BufferedImage picture = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_3BYTE_BGR);
-        picture.createGraphics().drawImage(BufferedImages.toBufferedImage(image), 0, 0, null);
+        picture.createGraphics().drawImage(Images.toBufferedImage(image), 0, 0, null);
         return picture;
     }
 

@@ -1,12 +1,20 @@
 package dev.lazyz.world.surface
 
+import dev.lazyz.Checkpoint
 import dev.lazyz.HeapLayout
 import dev.lazyz.Primitive
+import dev.lazyz.Raster
+import dev.lazyz.Workers
 import dev.lazyz.geometry.Extent
 import dev.lazyz.geometry.UpAxis
 import dev.lazyz.geometry.Vectors
+import dev.lazyz.spi.Shader
+import dev.lazyz.world.camera.Camera
+import dev.lazyz.world.camera.Projection
+import dev.lazyz.world.light.Light
 import dev.lazyz.world.material.Material
 import java.util.function.UnaryOperator
+import org.joml.Vector3d
 import org.joml.Vector3dc
 
 /**
@@ -87,5 +95,101 @@ public interface Surface : Extent {
         this
     } else {
         throw UnsupportedOperationException("a surface of class ${javaClass.name} cannot be rotated")
+    }
+}
+
+/**
+ * Converts surfaces to primitives: transforms, clips, projects and snaps them, and computes their linear forms.
+ *
+ * All rounding happens here, once, before rendering. A custom [Surface] calls these functions from
+ * [Surface.primitives]. Immutable and thread safe.
+ */
+public abstract class SetUp internal constructor() {
+    /** The samples to cover. */
+    public abstract val raster: Raster
+
+    /** The camera. */
+    public abstract val camera: Camera
+
+    /** The origin of shading, see `Scene.origin`; 0 for [Projection.Screen]. */
+    public abstract val origin: Vector3dc
+
+    /** Light sources, in the order in which they are added up. */
+    public abstract val lights: List<Light>
+
+    internal abstract val workers: Workers
+    internal abstract val checkpoint: Checkpoint
+
+    /**
+     * Returns the triangles of [mesh] in order, each set up when the sequence reaches it. All vertices are transformed
+     * when the iteration starts; this takes 128 bytes a vertex.
+     */
+    public abstract fun mesh(mesh: Mesh): Sequence<Primitive>
+
+    /** Returns [polygon] as a single primitive. */
+    public abstract fun polygon(polygon: Polygon): Primitive
+
+    /** Returns [sphere] as a single primitive. */
+    public abstract fun sphere(sphere: Sphere): Primitive
+
+    /** Returns the points of [points] in order, each set up when the sequence reaches it; 32 bytes a point. */
+    public abstract fun points(points: Points): Sequence<Primitive>
+
+    /** Returns the segments of [lines] in order, each set up when the sequence reaches it; 96 bytes a segment. */
+    public abstract fun lines(lines: Lines): Sequence<Primitive>
+
+    /**
+     * Returns where [point] of world space is on the raster, or null if it is not between the near and the far plane,
+     * or more than 2^19 pixels from the raster's origin. It may be outside the raster.
+     */
+    public abstract fun project(point: Vector3dc): ScreenPoint?
+
+    /**
+     * Returns the ray from the camera through the sample at column [x] and row [y], in world space. A point at distance
+     * t, see [Ray.at], has the depth [depth] (t).
+     */
+    public abstract fun ray(x: Int, y: Int): Ray
+
+    /**
+     * Returns the depth of a point whose distance from the camera along the line of sight is [distance], world units;
+     * it must be from the near to the far plane.
+     */
+    public abstract fun depth(distance: Double): Int
+
+    /**
+     * Returns the shader for [material] and the [lights]; the material's own shader if it has one. A custom primitive
+     * sets the attributes of a fragment and then calls it; a custom shader may call it and change the colour. Light is
+     * evaluated at each sample: FLAT and GOURAUD count as PHONG.
+     */
+    public abstract fun shader(material: Material): Shader
+
+    override fun toString(): String = "SetUp($raster, $camera, ${lights.size} lights)"
+
+    /**
+     * A ray through a sample, in world space. Immutable.
+     *
+     * @property origin where it starts: the camera's eye for perspective, otherwise a point in the plane of the eye
+     * @property direction its direction, of such a length that its component along the line of sight is 1
+     */
+    public class Ray internal constructor(public val origin: Vector3dc, public val direction: Vector3dc) {
+        /** Returns the point at [distance] from the camera along the line of sight, world units. A new vector. */
+        public fun at(distance: Double): Vector3d = Vector3d(
+            origin.x() + direction.x() * distance,
+            origin.y() + direction.y() * distance,
+            origin.z() + direction.z() * distance,
+        )
+
+        override fun toString(): String = "Ray($origin, $direction)"
+    }
+
+    /**
+     * A point on the raster. Immutable.
+     *
+     * @property x column position, pixels, a multiple of 1/256; the sample of column 0 is at 0.5
+     * @property y row position, pixels, a multiple of 1/256; the sample of row 0 is at 0.5
+     * @property depth depth, 0..2^31-1
+     */
+    public class ScreenPoint internal constructor(public val x: Double, public val y: Double, public val depth: Int) {
+        override fun toString(): String = "ScreenPoint($x, $y, depth $depth)"
     }
 }

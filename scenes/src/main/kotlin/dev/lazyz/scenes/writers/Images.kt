@@ -4,6 +4,7 @@ package dev.lazyz.scenes.writers
 
 import dev.lazyz.Image
 import dev.lazyz.RowSink
+import java.awt.image.BufferedImage
 import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.OutputStream
@@ -48,6 +49,16 @@ public fun Image.writePpm(path: Path): Unit = ImageFiles.write(this, path, Image
  */
 @Throws(IOException::class)
 public fun Image.writePfm(path: Path): Unit = ImageFiles.write(this, path, ImageFormat.PFM)
+
+/**
+ * Returns a copy of the colours as a `java.desktop` image of type [BufferedImage.TYPE_INT_ARGB]. In Java:
+ * `Images.toBufferedImage(image)`.
+ */
+public fun Image.toBufferedImage(): BufferedImage {
+    val picture = BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB)
+    picture.raster.setDataElements(0, 0, width, height, argb)
+    return picture
+}
 
 /**
  * Passes all rows to [sink], from the top. For custom sinks, which need not write to a file.
