@@ -19,18 +19,14 @@ import dev.lazyz.spi.Spans
  *
  * A stage is added at the first row of its primitive within the region, and removed after the last. So memory depends
  * on the number of primitives on a row, not on the number of rows; in addition there are 8 bytes for each primitive of
- * the region, sorted by first row. A pipeline passes each row through the chain from upstream to downstream:
- *
- *     var row = chain.begin(y)
- *     for (i in 0 until chain.size) row = chain[i].next(row)
- *     chain.end(row)
+ * the region, sorted by first row.
  *
  * With a budget, a stage is added only if it fits, and the list of primitives is kept only if it fits. A primitive
  * without a stage is drawn at the beginning of each of its rows, by a stage that is made for this row and then dropped.
  *
  * Used by one thread.
  *
- * @param checkpoint passed for each primitive, also while they are sorted
+ * @param checkpoint passed for each row and each primitive on it, also while they are sorted
  * @param stage creates the stage of a primitive from the frame, the primitive's index, the first row that the stage
  *   will receive, and scratch memory for spans
  * @param budget most bytes to hold in addition to what a frame without primitives takes, or null for no limit
@@ -71,6 +67,18 @@ internal class Chain(
         private set
 
     operator fun get(i: Int): Stage = stages[i]!!
+
+    /** Passes row [y], the one after the last, through the stages, from upstream to downstream, and returns it. */
+    fun row(y: Int): LazyRow {
+        checkpoint.pass()
+        var row = begin(y)
+        for (i in 0 until size) {
+            checkpoint.pass()
+            row = get(i).next(row)
+        }
+        end(row)
+        return row
+    }
 
     /**
      * Begins row [y]: adds the stages whose primitives begin here. Returns the input of the first stage: a row of

@@ -95,19 +95,8 @@ public class FlowRenderer @JvmOverloads constructor(private val options: RenderO
         return flow {
             val checkpoint = checkpointIn(currentCoroutineContext())
             val chain = Chain(frame, options.coherence, checkpoint, ::Stage)
-            for (y in frame.region.rowStart until frame.region.rowEnd) {
-                // Pass a row of background down the chain
-                checkpoint.pass()
-                var row = chain.begin(y)
-                for (i in 0 until chain.size) {
-                    checkpoint.pass()
-                    row = chain[i].next(row)
-                }
-                chain.end(row)
-
-                // Wait until the collector has processed the row
-                emit(row)
-            }
+            // Each waits until the collector has processed the row
+            for (y in frame.region.rowStart until frame.region.rowEnd) emit(chain.row(y))
         }
     }
 

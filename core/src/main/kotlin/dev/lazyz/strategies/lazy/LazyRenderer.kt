@@ -93,17 +93,8 @@ public class LazyRenderer @JvmOverloads constructor(private val options: RenderO
         requireInMemory(frame, this)
         return sequence {
             val chain = Chain(frame, options.coherence, checkpoint, ::LazyStage, options.memoryBudget)
-            for (y in frame.region.rowStart until frame.region.rowEnd) {
-                // The request has reached the upstream end: pass the row down the chain
-                checkpoint.pass()
-                var row = chain.begin(y)
-                for (i in 0 until chain.size) {
-                    checkpoint.pass()
-                    row = chain[i].next(row)
-                }
-                chain.end(row)
-                yield(row)
-            }
+            // A request has reached the upstream end: the row is passed down the chain
+            for (y in frame.region.rowStart until frame.region.rowEnd) yield(chain.row(y))
         }
     }
 
