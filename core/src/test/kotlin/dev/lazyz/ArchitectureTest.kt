@@ -46,7 +46,7 @@ class ArchitectureTest {
         assertTrue(sources.any { strategy(it) == "zbuffer" })
     }
 
-    /** Every package has a row on the page, and the row contains only types that exist in the package. */
+    /** Every package has a row on the page, and what the row names are files of the package. */
     @Test
     fun thePageShowsThePackages() {
         val rows = page.substringAfter("## Packages of").substringBefore("\n## ").lines()
@@ -55,9 +55,9 @@ class ArchitectureTest {
         val expected = allPackages.map { if (Regex("strategies\\.\\w+").matches(it)) "strategies.*" else it }
         assertEquals(expected.toSet(), shown.keys)
         for ((name, row) in shown) {
-            val code = sources.filter { packageOf(it) == name }.joinToString("\n") { it.readText() }
-            for ((type) in Regex("`([A-Z]\\w+)").findAll(row).map { it.destructured }) {
-                assertTrue(Regex("(class|object|interface) $type\\b").containsMatchIn(code)) { "$name has no $type" }
+            val files = sources.filter { packageOf(it) == name }.map { it.name.removeSuffix(".kt") }
+            for ((file) in Regex("`([A-Z]\\w+)").findAll(row).map { it.destructured }) {
+                assertTrue(file in files) { "$name has no $file" }
             }
         }
     }
