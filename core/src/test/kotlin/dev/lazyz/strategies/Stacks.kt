@@ -1,9 +1,14 @@
 package dev.lazyz.strategies
 
+import dev.lazyz.Capability
+import dev.lazyz.Counters
 import dev.lazyz.Frame
 import dev.lazyz.Raster
+import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.setup.FrameBuilder
+import dev.lazyz.strategies.lists.ListsRenderer
+import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
@@ -12,6 +17,7 @@ import dev.lazyz.world.surface.Polygon
 import dev.lazyz.world.surface.Polygon.Vertex
 import kotlin.random.Random
 import org.joml.Vector3d
+import org.junit.jupiter.api.Assertions.assertEquals
 
 /** The order in which layers are submitted. */
 internal enum class Submission {
@@ -104,4 +110,19 @@ internal object Stacks {
             .polygon(Rgba.WHITE, doubleArrayOf(0.0, 0.0, 0.7, w, 0.0, 0.3, w, h, 0.3, 0.0, h, 0.7))
             .build()
     }
+}
+
+/**
+ * Renders [frame], compares the picture with that of `zbuffer`, and returns the work. If there are translucent
+ * primitives, compares picture and shading calls with those of `lists`.
+ */
+internal fun Renderer.counted(frame: Frame): Counters {
+    val image = render(frame)
+    val expected = (if (frame.hasTranslucency) ListsRenderer() else ZBufferRenderer()).render(frame)
+    assertEquals(expected, image, id)
+    val calls = if (frame.hasTranslucency) expected.counters.shadingCalls else image.visible.toLong()
+    if (frame.hasTranslucency || Capability.SHADES_ONLY_VISIBLE in capabilities) {
+        assertEquals(calls, image.counters.shadingCalls, id)
+    }
+    return image.counters
 }

@@ -12,6 +12,7 @@ import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.AwkwardFrames
 import dev.lazyz.strategies.Stacks
 import dev.lazyz.strategies.Submission
+import dev.lazyz.strategies.counted
 import dev.lazyz.strategies.hierarchical.HierarchicalRenderer.Order
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import kotlin.random.Random
@@ -21,12 +22,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class HierarchicalRendererTest {
-    private fun counted(frame: Frame): Counters {
-        val image = HierarchicalRenderer().render(frame)
-        assertEquals(ZBufferRenderer().render(frame), image)
-        assertEquals(image.visible.toLong(), image.counters.shadingCalls)
-        return image.counters
-    }
+    private fun counted(frame: Frame) = HierarchicalRenderer().counted(frame)
 
     private fun rectangle(left: Int, top: Int, right: Int, bottom: Int, near: Double, far: Double): DoubleArray {
         val (x0, x1) = listOf(left.toDouble(), right.toDouble())

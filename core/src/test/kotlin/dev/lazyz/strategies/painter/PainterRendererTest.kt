@@ -11,8 +11,7 @@ import dev.lazyz.behindAll
 import dev.lazyz.setup.FrameBuilder
 import dev.lazyz.strategies.Stacks
 import dev.lazyz.strategies.Submission
-import dev.lazyz.strategies.lists.ListsRenderer
-import dev.lazyz.strategies.zbuffer.ZBufferRenderer
+import dev.lazyz.strategies.counted
 import kotlin.random.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -20,11 +19,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class PainterRendererTest {
-    private fun counted(frame: Frame): Counters {
-        val image = PainterRenderer().render(frame)
-        assertEquals(ZBufferRenderer().render(frame), image)
-        return image.counters
-    }
+    private fun counted(frame: Frame) = PainterRenderer().counted(frame)
 
     @Test
     fun overdrawIsTotalWhereThereIsAnOrder() {
@@ -84,14 +79,6 @@ class PainterRendererTest {
     private fun bar(x0: Double, y0: Double, x1: Double, y1: Double, vararg z: Double) =
         doubleArrayOf(x0, y0, z[0], x1, y0, z[1], x1, y1, z[2], x0, y1, z[3])
 
-    private fun countedGlass(frame: Frame): Counters {
-        val expected = ListsRenderer().render(frame)
-        val image = PainterRenderer().render(frame)
-        assertEquals(expected, image)
-        assertEquals(expected.counters.shadingCalls, image.counters.shadingCalls)
-        return image.counters
-    }
-
     /** A frame of sheets over the whole raster, each nearer than the one before, with these alphas. */
     private fun sheets(raster: Raster, vararg alphas: Float): Frame {
         val x = raster.width.toDouble()
@@ -106,7 +93,7 @@ class PainterRendererTest {
 
     @Test
     fun rule_5_5_layersArePaintedOverEachOtherWithoutComparingDepths() {
-        val counters = countedGlass(sheets(Raster(32, 32), 1f, *FloatArray(40) { 0.125f }))
+        val counters = counted(sheets(Raster(32, 32), 1f, *FloatArray(40) { 0.125f }))
         assertEquals(41L * 1024, counters.fragments)
         assertEquals(counters.fragments, counters.shadingCalls)
         assertEquals(counters.fragments, counters.peakSuspensions)
@@ -118,19 +105,19 @@ class PainterRendererTest {
     @Test
     fun rule_5_5_anOpaqueSheetRemovesTheLayersThatItIsOver() {
         val alphas = FloatArray(300) { if (it % 3 == 0) 1f else 0.5f }
-        val counters = countedGlass(sheets(Raster(32, 32), *alphas))
+        val counters = counted(sheets(Raster(32, 32), *alphas))
         assertEquals(300L * 1024, counters.depthPasses)
         assertEquals(3L * 1024, counters.shadingCalls)
         assertEquals(3L * 1024, counters.peakSuspensions)
 
         // 8 bytes a sample, two layers of 8 bytes; all else is for the primitives
-        val few = countedGlass(sheets(Raster(32, 32), 1f, 0.5f, 0.5f)).peakBytes
+        val few = counted(sheets(Raster(32, 32), 1f, 0.5f, 0.5f)).peakBytes
         assertTrue(counters.peakBytes - few < 300 * 400, "$few bytes for 3 sheets, ${counters.peakBytes} for 300")
     }
 
     @Test
     fun rule_5_5_glassInACircleIsBlendedInTheOrderOfEachSample() {
-        val counters = countedGlass(circle(0.5f))
+        val counters = counted(circle(0.5f))
         assertEquals(4L * 80 * 10, counters.fragments)
         assertEquals(counters.fragments, counters.shadingCalls)
         assertTrue(counters.depthEvaluations < counters.fragments, "$counters")

@@ -16,8 +16,8 @@ import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.AwkwardFrames
 import dev.lazyz.strategies.Stacks
 import dev.lazyz.strategies.Submission
+import dev.lazyz.strategies.counted
 import dev.lazyz.strategies.lists.ListsRenderer
-import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
@@ -29,12 +29,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class RaycastRendererTest {
-    private fun counted(frame: Frame): Counters {
-        val image = RaycastRenderer().render(frame)
-        assertEquals(ZBufferRenderer().render(frame), image)
-        assertEquals(image.visible.toLong(), image.counters.shadingCalls)
-        return image.counters
-    }
+    private fun counted(frame: Frame) = RaycastRenderer().counted(frame)
 
     @Test
     fun layersApartInDepthCostOneDepthASample() {

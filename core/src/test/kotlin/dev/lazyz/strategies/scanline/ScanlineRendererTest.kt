@@ -12,19 +12,13 @@ import dev.lazyz.strategies.AwkwardFrames
 import dev.lazyz.strategies.Stacks
 import dev.lazyz.strategies.Submission
 import dev.lazyz.strategies.Weave
-import dev.lazyz.strategies.lists.ListsRenderer
-import dev.lazyz.strategies.zbuffer.ZBufferRenderer
+import dev.lazyz.strategies.counted
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class ScanlineRendererTest {
-    private fun counted(frame: Frame): Counters {
-        val image = ScanlineRenderer().render(frame)
-        assertEquals(ZBufferRenderer().render(frame), image)
-        assertEquals(image.visible.toLong(), image.counters.shadingCalls)
-        return image.counters
-    }
+    private fun counted(frame: Frame) = ScanlineRenderer().counted(frame)
 
     @Test
     fun layersApartInDepthCostNoComparison() {
@@ -84,19 +78,11 @@ class ScanlineRendererTest {
         return FrameBuilder(raster).polygon(Rgba(0.2f, 0.4f, 0.6f, alpha), contour).build().primitives.single()
     }
 
-    private fun countedGlass(frame: Frame): Counters {
-        val expected = ListsRenderer().render(frame)
-        val image = ScanlineRenderer().render(frame)
-        assertEquals(expected, image)
-        assertEquals(expected.counters.shadingCalls, image.counters.shadingCalls)
-        return image.counters
-    }
-
     @Test
     fun rule_5_5_translucentSpansAreSortedOnceARow() {
         val raster = Raster(1000, 8)
         val glass = List(20) { sheet(raster, 0.25f, 0.1 + 0.03 * (it * 7 % 20), 0.12 + 0.03 * (it * 7 % 20)) }
-        val counters = countedGlass(Frame(raster, glass + sheet(raster, 1f, 0.9, 0.9)))
+        val counters = counted(Frame(raster, glass + sheet(raster, 1f, 0.9, 0.9)))
         assertEquals(21L * 8000, counters.shadingCalls)
 
         // The opaque sheet and the nearest layer at each sample; each layer and the sheet at both ends of a row
@@ -108,7 +94,7 @@ class ScanlineRendererTest {
     fun rule_5_5_whereTranslucentSpansCrossTheRowIsHalved() {
         val raster = Raster(1000, 8)
         val glass = listOf(sheet(raster, 0.25f, 0.1, 0.7), sheet(raster, 0.5f, 0.6, 0.3))
-        val counters = countedGlass(Frame(raster, glass))
+        val counters = counted(Frame(raster, glass))
 
         // Ten halves of 1,000 samples, and as many stretches, with two depths at two ends of each
         assertTrue(counters.depthEvaluations - 8000 < 8 * 4 * 2 * 20, "$counters")
@@ -118,7 +104,7 @@ class ScanlineRendererTest {
     fun rule_5_5_translucentSpansBehindAWallAreNeitherShadedNorCompared() {
         val raster = Raster(1000, 8)
         val glass = List(20) { sheet(raster, 0.25f, 0.5 + 0.02 * it, 0.51 + 0.02 * it) }
-        val counters = countedGlass(Frame(raster, glass + sheet(raster, 1f, 0.1, 0.2)))
+        val counters = counted(Frame(raster, glass + sheet(raster, 1f, 0.1, 0.2)))
         assertEquals(8000, counters.shadingCalls)
         assertEquals(8000L + 8 * 2 * 21, counters.depthEvaluations)
     }

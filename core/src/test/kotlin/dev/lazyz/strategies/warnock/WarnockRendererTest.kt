@@ -10,7 +10,7 @@ import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.AwkwardFrames
 import dev.lazyz.strategies.Stacks
 import dev.lazyz.strategies.Submission
-import dev.lazyz.strategies.zbuffer.ZBufferRenderer
+import dev.lazyz.strategies.counted
 import kotlin.random.Random
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -18,12 +18,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty
 
 class WarnockRendererTest {
-    private fun counted(frame: Frame): Counters {
-        val image = WarnockRenderer().render(frame)
-        assertEquals(ZBufferRenderer().render(frame), image)
-        assertEquals(image.visible.toLong(), image.counters.shadingCalls)
-        return image.counters
-    }
+    private fun counted(frame: Frame) = WarnockRenderer().counted(frame)
 
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
