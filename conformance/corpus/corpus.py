@@ -104,7 +104,10 @@ def draw(folder, command, name):
 
 def run(folder, command, name):
     """Runs the command for a scene, and returns what compare returns, or 'not supported'."""
-    code, arrays = draw(folder, command, name)
+    try:
+        code, arrays = draw(folder, command, name)
+    except Exception as bad:
+        return "no picture: %r" % bad
     if code:
         return code if code == "timed out" else "not supported" if code == 3 else "exit code %d" % code
     return compare(folder, name, **arrays)

@@ -13,6 +13,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeLines
 import kotlin.io.path.writeText
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
@@ -161,5 +162,7 @@ class ProgramTest {
             assertEquals(mistake == 0, ends("python3", "corpus/corpus.py", "$corpus", "$program $all"))
             assertEquals(last, folder.resolve("log").readLines().last())
         }
+        assertFalse(ends("python3", "corpus/corpus.py", "$corpus", "echo oops > {picture}"))
+        assertEquals("40 wrong", folder.resolve("log").readLines().last())
     }
 }
