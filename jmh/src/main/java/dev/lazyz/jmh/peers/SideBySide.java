@@ -29,8 +29,8 @@ import kotlinx.serialization.json.JsonObject;
  * are for different work.
  *
  * <p>All of this is done with the first raster. Further rasters, and mesh files, are measured once, with Lazy Z,
- * llvmpipe and GLimpSW on one thread, because everything would take more than a day. So are lit scenes, with one sample a pixel and
- * with {@value #SAMPLES} x {@value #SAMPLES}, or 4 for llvmpipe, which has no more.
+ * llvmpipe and GLimpSW on one thread, because everything would take more than a day. So are lit scenes, with one
+ * sample a pixel and with {@value #SAMPLES} x {@value #SAMPLES}, or 4 for llvmpipe, which has no more.
  *
  * <p>With {@code --keep}, the file of results exists already, and results of other scenes and of whole processes are
  * kept.
