@@ -1,6 +1,5 @@
 package dev.lazyz.drawing
 
-import dev.lazyz.geometry.FillRule
 
 /**
  * Finds the parts of a straight edge that faces hide. One edge at a time: [begin], then [behindTriangle] and
@@ -187,8 +186,7 @@ internal class HiddenParts(
         val w = w0 + (w1 - w0) * t
         val x = (x0 + (x1 - x0) * t) / w
         val y = (y0 + (y1 - y0) * t) / w
-        var sum = 0
-        var count = 0
+        var windings = 0
         for (p in face.contours) {
             for (a in p.indices step 4) {
                 val b = (a + 4) % p.size
@@ -198,11 +196,10 @@ internal class HiddenParts(
                 val xa = p[a] / p[a + 2]
                 val xb = p[b] / p[b + 2]
                 if (xa + (y - ya) / (yb - ya) * (xb - xa) > x) continue
-                sum += if (ya < yb) 1 else -1
-                count++
+                windings += if (ya < yb) 1 else -1
             }
         }
-        return if (face.fillRule == FillRule.EVEN_ODD) count % 2 != 0 else sum != 0
+        return face.fillRule.isInside(windings)
     }
 
     companion object {

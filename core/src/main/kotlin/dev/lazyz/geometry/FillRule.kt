@@ -7,4 +7,8 @@ public enum class FillRule {
 
     /** A sample is inside if its winding number is not zero. */
     NON_ZERO,
+    ;
+
+    /** Whether a point is inside if [windings] is the sum of the windings of the crossings on one side of it. */
+    internal fun isInside(windings: Int): Boolean = if (this == EVEN_ODD) windings and 1 != 0 else windings != 0
 }

@@ -108,7 +108,7 @@ internal class EdgeTable(
     fun column(edge: Int, y: Int): Int = ceilDiv(crossing(edge, y), ScreenGrid.STEPS * dy(edge)).toInt()
 
     /** Whether a sample is inside if [windings] is the sum of the windings of the crossings at or left of it. */
-    fun isInside(windings: Int): Boolean = if (fillRule == FillRule.EVEN_ODD) windings and 1 != 0 else windings != 0
+    fun isInside(windings: Int): Boolean = fillRule.isInside(windings)
 
     /**
      * Adds the spans of row [y] to [spans]. This is the reference implementation for [TrapezoidCursor]; it computes
