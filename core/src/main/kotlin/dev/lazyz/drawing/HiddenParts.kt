@@ -1,6 +1,5 @@
 package dev.lazyz.drawing
 
-
 /**
  * Finds the parts of a straight edge that faces hide. One edge at a time: [begin], then [behindTriangle] and
  * [behindPolygon] for each face that could be in front of it. Not thread safe.
