@@ -1,10 +1,9 @@
 package dev.lazyz.conformance.corpus
 
-import dev.lazyz.Depth
 import dev.lazyz.DepthTest
 import dev.lazyz.Raster
-import dev.lazyz.Rgba
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.conformance.census.Census
 import dev.lazyz.conformance.census.FrameTrait
 import dev.lazyz.conformance.frames.FrameKind
@@ -14,6 +13,7 @@ import dev.lazyz.conformance.oracle.ExactPolygon
 import dev.lazyz.conformance.results.SuiteRule
 import dev.lazyz.conformance.rules.Rule
 import dev.lazyz.conformance.rules.Symptom
+import dev.lazyz.scenes.Tint
 import java.util.Random
 import net.jqwik.api.Shrinkable
 
@@ -25,28 +25,45 @@ internal class CorpusCase(val group: CorpusGroup, val name: String, val shrinkab
     fun json(): String = scene.json(group.members(name))
 }
 
+/** What is around the shapes of a group. */
+internal enum class Surroundings {
+    /** The usual depth test and a transparent background. */
+    PLAIN,
+
+    /** The usual depth test and any background. */
+    COLORED,
+
+    /** Another depth test, or another depth of the background, which may be that of a shape. */
+    ANY,
+}
+
 /**
  * Scenes of the corpus for the same rule of the contract, which the suite's generators make.
  *
  * @param mix what the frames are made of
- * @param isPlain whether all have the usual depth test and a transparent background
  * @param needs traits that each frame has
+ * @param situations each scene has one of them, in turn, at a sample that is compared
  * @param shapes makes the primitives
  */
 internal class CorpusGroup private constructor(
     val rule: SuiteRule,
     private val mix: FrameMix,
-    private val isPlain: Boolean = true,
+    private val around: Surroundings = Surroundings.PLAIN,
     private val needs: Set<FrameTrait> = emptySet(),
+    private val situations: List<Situation> = listOf({ it.shown != null }),
     private val shapes: (List<ExactPolygon>) -> List<CorpusShape> = CorpusShapes::flat,
 ) {
     /** The scenes: [tries] times the usual number, made from the [suite]'s seed. */
     fun cases(suite: Long, tries: Double): List<CorpusCase> {
         val generator = Frames.of(mix).map(::scene).generator(GENERATOR_SIZE)
         val count = (rule.tries * tries).toInt().coerceAtLeast(1)
-        return generateSequence(rule.seed(suite)) { it + 1 }.take(MOST_TRIES * count)
-            .map { generator.next(Random(it)) }.filter { isUseful(it.value()) }.take(count)
-            .mapIndexed { i, it -> CorpusCase(this, "%02d-%s-%02d".format(level, topic, i + 1), it) }.toList()
+        val made = generateSequence(rule.seed(suite)) { it + 1 }.map { generator.next(Random(it)) }.iterator()
+        return List(count) { i ->
+            val situation = situations[i % situations.size]
+            val found = made.asSequence().take(MOST_TRIES).firstOrNull { isUseful(it.value(), situation) }
+            checkNotNull(found) { "$this has no frame for its situation ${i % situations.size}" }
+            CorpusCase(this, "%02d-%s-%02d".format(level, topic, i + 1), found)
+        }
     }
 
     /** The place of the group in the order of difficulty, from 1 on. */
@@ -60,21 +77,26 @@ internal class CorpusGroup private constructor(
         "\"corpus\": ${CorpusFiles.VERSION}, \"name\": \"$name\", \"level\": $level,\n" +
             " \"rule\": \"${rule.number}\", \"intent\": \"${rule.intent}\","
 
-    private fun isUseful(scene: CorpusScene): Boolean {
-        val traits = Census.traits(scene.frame)
-        val isUsual = scene.raster.depthTest == DepthTest.LESS && scene.raster.backgroundDepth == Int.MAX_VALUE
-        return FrameTrait.NOTHING_VISIBLE !in traits && traits.containsAll(needs) && (isPlain || !isUsual)
+    private fun isUseful(scene: CorpusScene, situation: Situation): Boolean {
+        if (around == Surroundings.ANY && scene.hasUsualDepths) return false
+        return scene.shows(situation) && Census.traits(scene.frame).let {
+            FrameTrait.NOTHING_VISIBLE !in it && it.containsAll(needs)
+        }
     }
 
     private fun scene(case: FrameCase): CorpusScene {
-        val given = case.frame.raster
-        val raster = if (isPlain) {
-            Raster(given.width, given.height)
-        } else {
-            Raster(given.width, given.height, depthTest = given.depthTest, backgroundDepth = given.backgroundDepth)
-        }
-        val background = CorpusColor.near(if (isPlain) Rgba.TRANSPARENT else given.background)
-        return CorpusScene(raster, background, shapes(CorpusShapes.polygons(case, raster)))
+        val raster = Raster(case.frame.raster.width, case.frame.raster.height)
+        val polygons = CorpusShapes.polygons(case, raster)
+        val first = polygons.firstOrNull()?.contours?.first() ?: IntArray(3)
+        val salt = Tint.hash(first[0], first[1], polygons.size, raster.width)
+        val alpha = listOf(191, 255, 64, 16)[salt % 4]
+        val color = CorpusColor.of(salt, alpha = alpha).takeIf { around != Surroundings.PLAIN && salt / 4 % 4 > 0 }
+        val background = color ?: CorpusColor.NONE
+        if (around != Surroundings.ANY) return CorpusScene(raster, background, shapes(polygons))
+        val test = DepthTest.entries[salt / 16 % 4]
+        val depth = listOf(first[2], Int.MAX_VALUE / 2, Rasters.behindAll(test))[salt / 64 % 3]
+        val any = Raster(raster.width, raster.height, depthTest = test, backgroundDepth = depth)
+        return CorpusScene(any, background, shapes(polygons))
     }
 
     override fun toString(): String = rule.name
@@ -82,7 +104,7 @@ internal class CorpusGroup private constructor(
     companion object {
         private const val GENERATOR_SIZE = 1000
         private const val SCENES = 20
-        private const val MOST_TRIES = 200
+        private const val MOST_TRIES = 2000
 
         private fun rule(name: String, intent: String, look: String, vararg about: Symptom) =
             SuiteRule("rule_$name", Rule(intent = intent, look = look, about = arrayOf(*about), tries = SCENES))
@@ -98,7 +120,7 @@ internal class CorpusGroup private constructor(
                     Symptom.COVERAGE,
                 ),
                 mix(FrameKind.SCATTERED, FrameKind.ON_CORNERS, FrameKind.TINY).counted(1, 2),
-                shapes = CorpusShapes::triangles,
+                shapes = CorpusShapes::coarse,
             ),
             CorpusGroup(
                 rule(
@@ -107,7 +129,7 @@ internal class CorpusGroup private constructor(
                     Symptom.COVERAGE,
                 ),
                 mix(FrameKind.SHARED_EDGES, FrameKind.ON_SAMPLES), needs = setOf(FrameTrait.MEETING),
-                shapes = CorpusShapes::triangles,
+                situations = Situations.edges + Situations.sharedEdge, shapes = CorpusShapes::coarse,
             ),
             CorpusGroup(
                 rule(
@@ -123,7 +145,7 @@ internal class CorpusGroup private constructor(
                     "Compare whether equal depth passes the test, and whether the order of primitives is kept.",
                     Symptom.TIE,
                 ),
-                mix(FrameKind.COINCIDENT, FrameKind.COPLANAR), needs = setOf(FrameTrait.TIE),
+                mix(FrameKind.COINCIDENT, FrameKind.COPLANAR), situations = listOf({ it.isTie }),
                 shapes = CorpusShapes::triangles,
             ),
             CorpusGroup(
@@ -132,8 +154,17 @@ internal class CorpusGroup private constructor(
                     "Compare the four depth tests, and what the depth buffer has at the beginning.",
                     Symptom.DEPTH_TEST, Symptom.BACKGROUND,
                 ),
-                mix(FrameKind.COPLANAR, FrameKind.INTERPENETRATING, FrameKind.SHARED_EDGES), isPlain = false,
-                shapes = CorpusShapes::triangles,
+                mix(FrameKind.COPLANAR, FrameKind.INTERPENETRATING, FrameKind.SHARED_EDGES), Surroundings.ANY,
+                situations = Situations.ties + Situations.backgroundTies, shapes = CorpusShapes::triangles,
+            ),
+            CorpusGroup(
+                rule(
+                    "6_4_encoding", "Colours are linear light and become sRGB; alpha is straight, and stays linear.",
+                    "Compare the curve of sRGB at dark colours, and a background with an alpha.",
+                    Symptom.COLOR, Symptom.BACKGROUND,
+                ),
+                mix(FrameKind.SCATTERED, FrameKind.ON_CORNERS).counted(1, 3), Surroundings.COLORED,
+                situations = listOf({ it.shown != null }, Situations.background), shapes = CorpusShapes::dark,
             ),
             CorpusGroup(
                 rule(
@@ -174,9 +205,10 @@ internal class CorpusGroup private constructor(
             CorpusGroup(
                 rule(
                     "1_4_guardBand", "Vertices may be as far away as 2^19 pixels.",
-                    "Look for products that overflow 32 bits, and for floats of 24 bits.", Symptom.COVERAGE,
+                    "Look for products that overflow 32 or 56 bits, and for floats of 24 bits.", Symptom.COVERAGE,
                 ),
-                mix(FrameKind.GIANT),
+                mix(FrameKind.GIANT, FrameKind.SCATTERED), situations = Situations.missedEdges,
+                shapes = CorpusShapes::large,
             ),
             CorpusGroup(
                 rule(
@@ -195,7 +227,7 @@ internal class CorpusGroup private constructor(
             CorpusGroup(
                 rule(
                     "5_5_translucent", "Translucent primitives are blended in the order of depth, in linear light.",
-                    "Compare the order, straight alpha, and what is used after an opaque primitive.",
+                    "Compare the order, straight alpha, and that nothing is used after an opaque primitive.",
                     Symptom.TRANSLUCENT,
                 ),
                 mix(FrameKind.LAYERED, FrameKind.INTERPENETRATING, FrameKind.COPLANAR).counted(2, 8),
@@ -206,22 +238,35 @@ internal class CorpusGroup private constructor(
                     "2_9_points", "A point is a square around its vertex, with one depth.",
                     "Compare the ends of the square: the left and upper side belong to it.", Symptom.COVERAGE,
                 ),
-                mix(FrameKind.SCATTERED, FrameKind.ON_SAMPLES), shapes = CorpusShapes::points,
+                mix(FrameKind.ON_CORNERS, FrameKind.ON_SAMPLES), situations = Situations.edges,
+                shapes = CorpusShapes::points,
             ),
             CorpusGroup(
                 rule(
-                    "2_10_lines", "A line covers one run of samples in each row; depth changes along it only.",
-                    "Compare the run from the first to the last sample of the quad and of the squares at the ends.",
+                    "2_10_lines", "A line is a quad with a square at each end; its depth changes along it only.",
+                    "Compare the ends, lines without a length, and the depth beyond the ends.",
                     Symptom.COVERAGE,
                 ),
-                mix(FrameKind.SCATTERED, FrameKind.ON_SAMPLES), shapes = CorpusShapes::lines,
+                mix(FrameKind.SCATTERED, FrameKind.ON_SAMPLES), situations = Situations.lineEnds,
+                shapes = CorpusShapes::lines,
             ),
             CorpusGroup(
                 rule(
                     "2_6_spheres", "A sphere has its own outline and depth at each sample.",
                     "Compare the depth of the front half: that of the centre minus the height.", Symptom.COVERAGE,
                 ),
-                mix(FrameKind.SCATTERED, FrameKind.ON_SAMPLES), shapes = CorpusShapes::spheres,
+                mix(FrameKind.SCATTERED, FrameKind.ON_SAMPLES),
+                situations = listOf(Situations.outline, { it.shown != null }), shapes = CorpusShapes::spheres,
+            ),
+            CorpusGroup(
+                rule(
+                    "5_5_backdrops",
+                    "Everything translucent is blended with what wins against the background, and with it.",
+                    "Compare depth tests, what loses against the background, mixed alphas and an alpha of 0.",
+                    Symptom.TRANSLUCENT, Symptom.BACKGROUND, Symptom.DEPTH_TEST,
+                ),
+                mix(FrameKind.LAYERED, FrameKind.COPLANAR, FrameKind.ON_CORNERS).counted(2, 6), Surroundings.ANY,
+                situations = Situations.blended, shapes = CorpusShapes::allKinds,
             ),
         )
     }

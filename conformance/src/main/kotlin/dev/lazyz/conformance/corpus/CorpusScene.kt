@@ -16,7 +16,7 @@ import dev.lazyz.world.camera.Camera
  *
  * @param given the raster, whose background is not used
  */
-internal class CorpusScene(given: Raster, private val background: CorpusColor, val shapes: List<CorpusShape>) {
+internal class CorpusScene(given: Raster, val background: CorpusColor, val shapes: List<CorpusShape>) {
     val raster: Raster = given.withBackground(background.rgba)
 
     /** The same scene for renderers of the library. */
@@ -30,64 +30,72 @@ internal class CorpusScene(given: Raster, private val background: CorpusColor, v
     /** The picture that is right. */
     val expected: Image by lazy { ReferenceRenderer().render(frame) }
 
+    /** Whether the depth test and the depth of the background are the usual ones. */
+    val hasUsualDepths: Boolean get() = raster.depthTest == DepthTest.LESS && raster.backgroundDepth == Int.MAX_VALUE
+
     /** What a program must be able to do to draw it. */
     val tags: List<String> by lazy {
         check(isOpen.isNotEmpty())
         val ofShapes = shapes.flatMap { it.tags }
-        val isUsual = raster.depthTest == DepthTest.LESS && raster.backgroundDepth == Int.MAX_VALUE
-        val coordinates = shapes.flatMap { it.edges }.flatMap { listOf(it.x0, it.y0, it.x1, it.y1) }
         val own = listOfNotNull(
             "translucent".takeIf { shapes.any { it.isTranslucent } },
             "background".takeIf { background.alpha > 0 },
-            "depth-test".takeUnless { isUsual },
-            "far-vertices".takeIf { coordinates.any { it !in -FAR_OFF..FAR_OFF } },
-            "fine-depth".takeIf { closest in CLOSE + 1L..FINE },
+            "depth-test".takeUnless { hasUsualDepths },
+            "far-vertices".takeIf { shapes.any { shape -> shape.edges.any { it.isFar } } },
+            "fine-depth".takeIf { closest < FINE },
         )
         (ofShapes + own).distinct().sorted()
     }
 
-    /** Whether all vertices are on 16ths of pixels near the raster, so that even floats of 24 bits are exact. */
-    private val isCoarse: Boolean get() = shapes.none { it is CorpusSphere } && shapes.flatMap { it.edges }
-        .all { edge -> listOf(edge.x0, edge.y0, edge.x1, edge.y1).all { it % 16 == 0L && it in -FAR_OFF..FAR_OFF } }
-
     /** How much a component of a colour may differ. */
     val colorTolerance: Int get() = if ("colors" in tags || "translucent" in tags) 1 else 0
 
-    /** The least difference of depth that decides at any sample, above [CLOSE]. */
+    /** The least difference of depth, not 0, that decides at any sample which is compared. */
     private var closest = Long.MAX_VALUE
 
-    /**
-     * At which samples other arithmetic may give another picture: those within a step of an outline, unless all
-     * vertices are on 16ths of pixels; and those at which depths that decide differ by at most [CLOSE]
-     * units without being the same plane. In rows from the top.
-     */
+    /** At which samples other arithmetic may give another picture, see [isOpen]. In rows from the top. */
     val isOpen: BooleanArray by lazy {
-        val isExact = isCoarse
-        BooleanArray(raster.width * raster.height) { i ->
-            val x = i % raster.width
-            val y = i / raster.width
-            isDepthClose(x, y) or (!isExact && shapes.any { it.isNearOutline(x, y) })
-        }
+        BooleanArray(raster.width * raster.height) { isOpen(it % raster.width, it / raster.width) }
     }
+
+    /** Returns whether something is compared at a sample in this [situation]. */
+    fun shows(situation: Situation): Boolean = (0 until raster.height).any { y ->
+        (0 until raster.width).any { x -> situation(CorpusSample(this, x, y)) && !isOpen(x, y) }
+    }
+
+    /**
+     * Whether other arithmetic may give another picture: within a step of an outline, unless all its vertices are at
+     * 16ths of pixels; and where depths that decide differ by at most [CLOSE] units without being exact.
+     */
+    private fun isOpen(x: Int, y: Int): Boolean =
+        isDepthClose(x, y) or shapes.any { !it.isCoarse && it.isNearOutline(x, y) }
 
     private fun isDepthClose(x: Int, y: Int): Boolean {
         val nearestFirst = frame.fragments(x, y)
         val opaque = nearestFirst.indexOfFirst { !shapes[it].isTranslucent }
-        val deciding = if (opaque < 0) nearestFirst else nearestFirst.take(opaque + 2)
-        var isClose = shapes.indices.any { isCloseToBackground(it, x, y) }
-        for ((nearer, farther) in deciding.zipWithNext()) {
-            if (shapes[nearer].isCoplanar(shapes[farther])) continue
-            val gap = gap(frame.primitives[nearer].depth(x, y), frame.primitives[farther].depth(x, y))
-            if (gap <= CLOSE) isClose = true else closest = minOf(closest, gap)
+        val used = if (opaque < 0) nearestFirst.size else opaque + 1
+        fun depth(index: Int) = frame.primitives[index].depth(x, y)
+        var isClose = false
+        for (i in 0 until used) {
+            val nearer = shapes[nearestFirst[i]]
+            for (other in nearestFirst.drop(i + 1).filterNot { nearer.isCoplanar(shapes[it]) }) {
+                val areLevel = nearer.level != null && shapes[other].level != null
+                isClose = isClose(depth(nearestFirst[i]), depth(other), areLevel) or isClose
+            }
+        }
+        for (index in shapes.indices) {
+            if (!frame.primitives[index].covers(x, y)) continue
+            isClose = isClose(depth(index), raster.backgroundDepth, shapes[index].level != null) or isClose
         }
         return isClose
     }
 
-    private fun isCloseToBackground(index: Int, x: Int, y: Int): Boolean {
-        val shape = shapes[index]
-        if (shape is CorpusPoint || (shape as? CorpusPolygon)?.isLevel(raster.backgroundDepth) == true) return false
-        val primitive = frame.primitives[index]
-        return primitive.covers(x, y) && gap(primitive.depth(x, y), raster.backgroundDepth) <= CLOSE
+    /** Notes that these depths decide, and returns whether other arithmetic may decide otherwise. */
+    private fun isClose(depth: Int, other: Int, isExact: Boolean): Boolean {
+        val gap = gap(depth, other)
+        val isClose = gap <= CLOSE && !isExact
+        if (gap > 0 && !isClose) closest = minOf(closest, gap)
+        return isClose
     }
 
     /** Returns the scene as JSON, with these [members] at the beginning. */
@@ -131,9 +139,6 @@ internal class CorpusScene(given: Raster, private val background: CorpusColor, v
 
         /** Differences of depth below this need more than 24 bits, in units. */
         private const val FINE = 4096L
-
-        /** In grid steps: 64 pixels. */
-        private const val FAR_OFF = 64L * 256
 
         private fun gap(depth: Int, other: Int): Long = StrictMath.abs(depth.toLong() - other)
     }

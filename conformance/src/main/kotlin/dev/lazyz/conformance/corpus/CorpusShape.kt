@@ -2,7 +2,9 @@ package dev.lazyz.conformance.corpus
 
 import dev.lazyz.Depth
 import dev.lazyz.Rgba
+import dev.lazyz.conformance.oracle.Coverage
 import dev.lazyz.conformance.oracle.ExactLine
+import dev.lazyz.conformance.oracle.ExactPoint
 import dev.lazyz.conformance.oracle.ExactPolygon
 import dev.lazyz.geometry.FillRule
 import dev.lazyz.scenes.Tint
@@ -31,6 +33,9 @@ internal class CorpusColor(val red: Int, val green: Int, val blue: Int, val alph
         /** Distance from the middle between two codes within which other arithmetic may round to the other one. */
         private const val ROOM = 0.1
 
+        /** Transparent black. */
+        val NONE: CorpusColor = CorpusColor(0, 0, 0, 0)
+
         /** The 255ths whose 8-bit sRGB code any arithmetic finds. */
         private val clear: List<Int> = (0..255).filter {
             val light = it / 255.0
@@ -39,17 +44,11 @@ internal class CorpusColor(val red: Int, val green: Int, val blue: Int, val alph
             StrictMath.abs(place - StrictMath.floor(place) - 0.5) > ROOM
         }
 
-        /** Returns the colour of primitive [index]; [corner] gives others to its vertices. */
-        fun of(index: Int, corner: Int = 0, alpha: Int = 255): CorpusColor {
+        /** Returns the colour of primitive [index]; [corner] gives others to its vertices. Few of [clear] are dark. */
+        fun of(index: Int, corner: Int = 0, alpha: Int = 255, few: Int = clear.size): CorpusColor {
             val bits = Tint.hash(index, corner, 0, 0)
-            fun part(shift: Int) = clear[(bits ushr shift and 0x3FF) % clear.size]
+            fun part(shift: Int) = clear[(bits ushr shift and 0x3FF) % few]
             return CorpusColor(part(0), part(10), part(20), alpha)
-        }
-
-        /** Returns the colour that is near [color]. */
-        fun near(color: Rgba): CorpusColor {
-            fun part(value: Float) = clear.minBy { StrictMath.abs(it - 255f * value) }
-            return CorpusColor(part(color.red), part(color.green), part(color.blue), (255f * color.alpha).toInt())
         }
     }
 }
@@ -73,11 +72,17 @@ internal sealed class CorpusShape(val color: CorpusColor) {
     /** The straight edges, in grid steps. A sphere has none. */
     abstract val edges: List<CorpusEdge>
 
+    /** Whether all vertices are at 16ths of pixels near the raster, so that even floats of 24 bits are exact. */
+    open val isCoarse: Boolean get() = edges.all { it.isCoarse }
+
+    /** The depth, if it is the same everywhere. */
+    abstract val level: Int?
+
     /** Whether a sample is within a step of the grid of the outline. */
     open fun isNearOutline(x: Int, y: Int): Boolean = edges.any { it.isNear(256.0 * x + 128, 256.0 * y + 128) }
 
     /** Returns whether both have the same depth everywhere, so that any arithmetic finds a tie. */
-    abstract fun isCoplanar(other: CorpusShape): Boolean
+    open fun isCoplanar(other: CorpusShape): Boolean = level != null && level == other.level
 
     protected fun material(shader: Shader? = null): Material = Material(
         color.rgba,
@@ -87,41 +92,10 @@ internal sealed class CorpusShape(val color: CorpusColor) {
     )
 }
 
-/** A straight part of an outline. */
-internal class CorpusEdge(val x0: Long, val y0: Long, val x1: Long, val y1: Long) {
-    /** Whether a point is less than a step away. */
-    fun isNear(x: Double, y: Double): Boolean {
-        val dx = (x1 - x0).toDouble()
-        val dy = (y1 - y0).toDouble()
-        val square = dx * dx + dy * dy
-        val along = (x - x0) * dx + (y - y0) * dy
-        val t = if (square > 0.0) (along / square).coerceIn(0.0, 1.0) else 0.0
-        val right = x - x0 - t * dx
-        val down = y - y0 - t * dy
-        return right * right + down * down < 1.0
-    }
-
-    companion object {
-        /** Returns the sides of a closed contour through these corners. */
-        fun around(corners: List<List<Long>>): List<CorpusEdge> = corners.indices.map {
-            val (x0, y0) = corners[it]
-            val (x1, y1) = corners[(it + 1) % corners.size]
-            CorpusEdge(x0, y0, x1, y1)
-        }
-
-        /** Returns the sides of the square around a point. */
-        fun square(x: Long, y: Long, half: Long): List<CorpusEdge> = around(
-            listOf(
-                listOf(x - half, y - half), listOf(x + half, y - half), listOf(x + half, y + half),
-                listOf(x - half, y + half),
-            ),
-        )
-    }
-}
-
 /**
  * A polygon.
  *
+ * @param color its colour; if there are [corners], only its alpha is used: less than 255 if theirs are
  * @param corners for a triangle with a colour at each vertex: these colours; otherwise empty
  * @param ws w of these vertices
  */
@@ -136,29 +110,28 @@ internal class CorpusPolygon(
     }
     private val plane = polygon.planePoints()
     private val isTriangle = contours.singleOrNull()?.size == 3
-    private val depths = plane.map { it[2] }.distinct()
 
     override val tags: Set<String> get() = setOfNotNull(
         if (isTriangle) "triangle" else "polygon",
-        "colors".takeIf { corners.isNotEmpty() },
+        "colors".takeIf { isMixed },
         "perspective".takeIf { ws.distinct().size > 1 },
     )
 
     override val edges: List<CorpusEdge> = contours.flatMap { CorpusEdge.around(it) }
 
-    override fun isCoplanar(other: CorpusShape): Boolean = when (other) {
-        is CorpusPolygon -> plane == other.plane || (depths.size == 1 && depths == other.depths)
-        else -> other.isCoplanar(this)
-    }
+    override val level: Int? = plane.map { it[2].toInt() }.distinct().singleOrNull()
 
-    /** Whether it has this depth everywhere. */
-    fun isLevel(depth: Int): Boolean = depths == listOf(depth.toLong())
+    override fun isCoplanar(other: CorpusShape): Boolean =
+        (other is CorpusPolygon && plane == other.plane) || super.isCoplanar(other)
+
+    /** Whether it has a colour at each vertex. */
+    val isMixed: Boolean get() = corners.isNotEmpty()
 
     override fun surface(): Surface = Polygon(
         contours.map { contour ->
             contour.map { (x, y, depth) -> Vertex(x / 256.0, y / 256.0, Depth.toUnit(depth.toInt())) }
         },
-        material(if (corners.isEmpty()) null else MixedColors(plane, corners.map { it.rgba }, ws)),
+        material(if (!isMixed) null else MixedColors(plane, corners.map { it.rgba }, ws)),
         polygon.fillRule,
     )
 
@@ -168,7 +141,7 @@ internal class CorpusPolygon(
         return "\"kind\": \"polygon\", \"fill\": \"$fill\", \"contours\": $outline, \"plane\": $plane"
     }
 
-    override val look: String get() = if (corners.isEmpty()) super.look else "\"colors\": $corners, \"w\": $ws"
+    override val look: String get() = if (!isMixed) super.look else "\"colors\": $corners, \"w\": $ws"
 }
 
 /** Colours of a triangle's vertices, mixed as contract rule 3.6 says. */
@@ -203,21 +176,15 @@ internal class CorpusPoint(
     private val half: Int,
     color: CorpusColor,
 ) : CorpusShape(color) {
-    private val depth = Depth.ofUnit(unit.toDouble())
+    override val level: Int = Depth.ofUnit(unit.toDouble())
 
     override val tags: Set<String> get() = setOf("point")
 
     override val edges: List<CorpusEdge> = CorpusEdge.square(x.toLong(), y.toLong(), half.toLong())
 
-    override fun isCoplanar(other: CorpusShape): Boolean = when (other) {
-        is CorpusPoint -> depth == other.depth
-        is CorpusPolygon -> other.isLevel(depth)
-        else -> false
-    }
-
     override fun surface(): Surface = Points(floatArrayOf(x / 256f, y / 256f, unit), half / 128.0, material())
 
-    override val members: String get() = "\"kind\": \"point\", \"at\": [$x, $y, $depth], \"half\": $half"
+    override val members: String get() = "\"kind\": \"point\", \"at\": [$x, $y, $level], \"half\": $half"
 }
 
 /** A line between two vertices: [ends] has x, y and, as fractions of the range, depth. */
@@ -228,8 +195,22 @@ internal class CorpusLine(
     color: CorpusColor,
 ) : CorpusShape(color) {
     private val depths = units.map { Depth.ofUnit(it.toDouble()) }
-    private val quad = ExactLine(intArrayOf(ends[0], ends[1], depths[0], ends[2], ends[3], depths[1]), half / 128.0)
-        .quad.contours.single().toList().chunked(3).map { (x, y) -> listOf(x.toLong(), y.toLong()) }
+    private val exact = intArrayOf(ends[0], ends[1], depths[0], ends[2], ends[3], depths[1])
+        .let { ExactLine(it, half / 128.0).quad }
+    private val quad =
+        exact.contours.single().toList().chunked(3).map { (x, y) -> listOf(x.toLong(), y.toLong()) }
+    private val squares = ends.chunked(2).map { (x, y) -> ExactPoint(x, y, 0, 1.0) }
+
+    override val level: Int? = depths.distinct().singleOrNull()
+
+    /** Whether both ends are at the same place. */
+    val isPoint: Boolean get() = ends.take(2) == ends.drop(2)
+
+    /** Whether a sample is in the square at this [end], 0 or 1, and in no other part. */
+    fun isOnlyAtEnd(end: Int, x: Int, y: Int): Boolean =
+        isCovered(end, x, y) && !isCovered(1 - end, x, y) && !exact.covers(x, y)
+
+    private fun isCovered(end: Int, x: Int, y: Int) = squares[end].coverage(x, y) == Coverage.COVERED
 
     override val tags: Set<String> get() = setOf("line")
 
@@ -238,7 +219,7 @@ internal class CorpusLine(
         CorpusEdge.square(ends[2].toLong(), ends[3].toLong(), 128)
 
     override fun isCoplanar(other: CorpusShape): Boolean =
-        other is CorpusLine && ends == other.ends && depths == other.depths
+        (other is CorpusLine && ends == other.ends && depths == other.depths) || super.isCoplanar(other)
 
     override fun surface(): Surface = Lines(
         floatArrayOf(ends[0] / 256f, ends[1] / 256f, units[0], ends[2] / 256f, ends[3] / 256f, units[1]),
@@ -260,6 +241,14 @@ internal class CorpusSphere(
     override val tags: Set<String> get() = setOf("sphere")
 
     override val edges: List<CorpusEdge> get() = emptyList()
+
+    override val level: Int? get() = null
+
+    override val isCoarse: Boolean get() = listOf(x, y, radius).all { it % 16 == 0 }
+
+    /** Returns the square of the height above the centre at a point, in grid steps. */
+    fun height(x: Long, y: Long): Long =
+        radius.toLong() * radius - (x - this.x) * (x - this.x) - (y - this.y) * (y - this.y)
 
     override fun isNearOutline(x: Int, y: Int): Boolean {
         val right = 256.0 * x + 128 - this.x

@@ -68,41 +68,112 @@ internal object CorpusShapes {
         return ExactPolygon(listOf(all.take(9).toIntArray()), FillRule.NON_ZERO)
     }
 
+    private fun triangle(polygon: ExactPolygon, changed: (index: Int, number: Int) -> Int): ExactPolygon {
+        val numbers = triangle(polygon).contours.single()
+        val contour = IntArray(9) { if (it % 3 == 2) numbers[it] else changed(it, numbers[it]) }
+        return ExactPolygon(listOf(contour), FillRule.NON_ZERO)
+    }
+
+    /** The same triangles with vertices at 16ths of pixels. */
+    fun coarse(polygons: List<ExactPolygon>): List<CorpusShape> =
+        flat(polygons.map { polygon -> triangle(polygon) { _, number -> Math.floorDiv(number + 8, 16) * 16 } })
+
+    /** The same triangles in dark colours, of which an encoding by another curve is seen. */
+    fun dark(polygons: List<ExactPolygon>): List<CorpusShape> =
+        polygons.mapIndexed { i, it -> CorpusPolygon(triangle(it), CorpusColor.of(i, few = DARK)) }
+
+    /** The same triangles, as large as the guard band around the middle of their first side. */
+    fun large(polygons: List<ExactPolygon>): List<CorpusShape> = flat(polygons.map(::enlarged))
+
+    private fun enlarged(polygon: ExactPolygon): ExactPolygon {
+        val all = triangle(polygon).contours.single()
+        val middle = List(2) { (all[it] + all[it + 3]) / 2 }
+        val reach = all.indices.filter { it % 3 != 2 }.maxOf { StrictMath.abs(all[it] - middle[it % 3]) }
+        if (reach == 0 || middle.any { it !in -NEAR..NEAR }) return polygon
+        val factor = (GUARD_BAND - NEAR) / reach
+        return triangle(polygon) { i, number -> middle[i % 3] + factor * (number - middle[i % 3]) }
+    }
+
     /** The same triangles with a colour at each vertex; w is 1, or 1 to [most]. */
-    fun mixed(polygons: List<ExactPolygon>, most: Int): List<CorpusShape> = polygons.mapIndexed { i, it ->
-        val corners = List(3) { corner -> CorpusColor.of(i, corner + 1) }
-        val ws = List(3) { corner -> 1 + Tint.hash(i, corner, 1, 0) % most }
-        CorpusPolygon(triangle(it), CorpusColor.of(i), corners, ws)
+    fun mixed(polygons: List<ExactPolygon>, most: Int): List<CorpusShape> =
+        polygons.mapIndexed { i, it -> mixed(i, it, most, listOf(255)) }
+
+    private fun mixed(index: Int, polygon: ExactPolygon, most: Int, alphas: List<Int>): CorpusPolygon {
+        val numbers = List(3) { corner -> Tint.hash(index, corner, 1, 0) }
+        val corners = numbers.mapIndexed { i, it -> CorpusColor.of(index, i + 1, alphas[it / 8 % alphas.size]) }
+        val color = CorpusColor.of(index, alpha = corners.minOf { it.alpha })
+        return CorpusPolygon(triangle(polygon), color, corners, numbers.map { 1 + it % most })
     }
 
     /** Three of four polygons are translucent. */
-    fun glass(polygons: List<ExactPolygon>): List<CorpusShape> = polygons.mapIndexed { i, it ->
-        val alpha = if (i % 4 == 3) 255 else listOf(128, 64, 230)[i % 4]
-        CorpusPolygon(it, CorpusColor.of(i, alpha = alpha))
+    fun glass(polygons: List<ExactPolygon>): List<CorpusShape> =
+        polygons.mapIndexed { i, it -> CorpusPolygon(it, CorpusColor.of(i, alpha = listOf(128, 64, 230, 255)[i % 4])) }
+
+    fun points(polygons: List<ExactPolygon>) = polygons.mapIndexed { i, it -> point(i, it) }
+
+    fun lines(polygons: List<ExactPolygon>) = polygons.mapIndexed { i, it -> line(i, it) }
+
+    fun spheres(polygons: List<ExactPolygon>) = polygons.mapIndexed { i, it -> sphere(i, it) }
+
+    /** Translucent shapes of all kinds; spheres, whose depths have another scale, are alone. */
+    fun allKinds(polygons: List<ExactPolygon>): List<CorpusShape> {
+        val areSpheres = polygons.isNotEmpty() && size(0, near(polygons[0])) % 4 == 0
+        return polygons.mapIndexed { i, it ->
+            val size = size(i, near(it)) / 4
+            val alpha = ALPHAS[size % ALPHAS.size]
+            if (areSpheres) return@mapIndexed sphere(i, it, alpha)
+            when (size / 8 % 4) {
+                0 -> mixed(i, it, 8, ALPHAS)
+                1 -> point(i, it, alpha)
+                2 -> line(i, it, alpha)
+                else -> CorpusPolygon(it, CorpusColor.of(i, alpha = alpha))
+            }
+        }
     }
 
-    /** A point, a line or a sphere at the first vertices of each polygon, near the raster. */
-    private fun around(
-        polygons: List<ExactPolygon>,
-        shape: (x: List<Int>, size: Int, color: CorpusColor) -> CorpusShape,
-    ): List<CorpusShape> = polygons.mapIndexed { i, it ->
-        val numbers = it.contours.first().toList()
-        shape(numbers.map { number -> number.coerceIn(-NEAR, NEAR) }, Tint.hash(i, 2, 0, 0), CorpusColor.of(i))
+    /** The numbers of the first contour: those of vertices near the raster, and depths that nothing uses. */
+    private fun near(polygon: ExactPolygon): List<Int> = polygon.contours.first().map { it.coerceIn(-NEAR, NEAR) }
+
+    /** Returns a number that decides about sizes, for the shape with this [index]. */
+    private fun size(index: Int, numbers: List<Int>): Int = Tint.hash(index, 2, numbers[0], numbers[1])
+
+    /** A point around the first vertex; half of them have edges on samples if the vertex is at one, or at a corner. */
+    private fun point(index: Int, polygon: ExactPolygon, alpha: Int = 255): CorpusPoint {
+        val numbers = near(polygon)
+        val size = size(index, numbers)
+        val half = if (size % 2 == 0) 128 * (1 + size / 32 % 6) else 128 + size / 32 % 900
+        return CorpusPoint(numbers[0], numbers[1], size / 2 % 16 / 16f, half, CorpusColor.of(index, alpha = alpha))
+    }
+
+    /** A line between the first two vertices. Half of them are as thin as possible, and some have no length. */
+    private fun line(index: Int, polygon: ExactPolygon, alpha: Int = 255): CorpusLine {
+        val numbers = near(polygon)
+        val size = size(index, numbers)
+        val half = if (size % 2 == 0) 128 else 128 + size / 512 % 500
+        val last = if (size / 4096 % 8 == 0) 0 else 3
+        val ends = listOf(numbers[0], numbers[1], numbers[last], numbers[last + 1])
+        val depths = listOf(size / 2 % 16 / 16f, size / 32 % 16 / 16f)
+        return CorpusLine(ends, depths, half, CorpusColor.of(index, alpha = alpha))
+    }
+
+    /** A sphere around the first vertex. Half of the radii are whole pixels. */
+    private fun sphere(index: Int, polygon: ExactPolygon, alpha: Int = 255): CorpusSphere {
+        val numbers = near(polygon)
+        val size = size(index, numbers)
+        val radius = if (size % 2 == 0) 256 * (2 + size / 8192 % 9) else 512 + size / 8192 % 2048
+        val color = CorpusColor.of(index, alpha = alpha)
+        return CorpusSphere(numbers[0], numbers[1], 20 * 256 + size / 2 % 2560, radius, color)
     }
 
     /** In grid steps: 30 pixels. */
     private const val NEAR = 30 * 256
 
-    fun points(polygons: List<ExactPolygon>) = around(polygons) { numbers, size, color ->
-        CorpusPoint(numbers[0], numbers[1], size % 16 / 16f, 128 + size % 900, color)
-    }
+    /** In grid steps: 2^19 pixels. */
+    private const val GUARD_BAND = 1 shl 27
 
-    fun lines(polygons: List<ExactPolygon>) = around(polygons) { numbers, size, color ->
-        val ends = listOf(numbers[0], numbers[1], numbers[3], numbers[4])
-        CorpusLine(ends, listOf(size % 16 / 16f, size / 16 % 16 / 16f), 128 + size / 256 % 500, color)
-    }
+    /** How many of the colours are dark. */
+    private const val DARK = 12
 
-    fun spheres(polygons: List<ExactPolygon>) = around(polygons) { numbers, size, color ->
-        CorpusSphere(numbers[0], numbers[1], 20 * 256 + size % 2560, 512 + size / 4096 % 2048, color)
-    }
+    /** Alphas of shapes that are mostly translucent. */
+    private val ALPHAS = listOf(128, 64, 230, 0, 255)
 }

@@ -1,8 +1,11 @@
 package dev.lazyz.conformance.corpus
 
+import dev.lazyz.DepthTest
+import dev.lazyz.Raster
 import dev.lazyz.conformance.assertSamePicture
 import dev.lazyz.conformance.census.Census
 import dev.lazyz.conformance.census.FrameTrait
+import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.Camera
@@ -32,7 +35,7 @@ class CorpusTest {
         val scenes = CorpusFiles.write(folder)
         val sums = folder.resolve(CorpusFiles.SUMS)
         val files = Files.list(folder).use { it.toList() }
-        assertEquals(17 * 20, scenes)
+        assertEquals(19 * 20, scenes)
         assertEquals(5 * scenes + 1, files.size)
         assertTrue(files.sumOf { it.fileSize() } < 20_000_000)
         for (line in sums.readText().trim().lines()) {
@@ -52,12 +55,34 @@ class CorpusTest {
             assertTrue(FrameTrait.NOTHING_VISIBLE !in traits, case.name)
             assertTrue(case.scene.isOpen.count { it } < case.scene.isOpen.size, "${case.name} compares nothing")
             if ("ties" in case.name) assertTrue(FrameTrait.TIE in traits, case.name)
-            assertEquals("translucent" in case.name, FrameTrait.TRANSLUCENT in traits, case.name)
+            val isBlended = "translucent" in case.name || "backdrops" in case.name
+            assertEquals(isBlended, FrameTrait.TRANSLUCENT in traits, case.name)
         }
         val tags = cases.flatMap { it.scene.tags }.toSet()
         val page = Path.of("../docs/corpus.md").readText()
         for (tag in tags) assertTrue("`$tag`" in page, tag)
         assertEquals(12, tags.size, "$tags")
+    }
+
+    /** What a program draws that mistakes a depth test, or whose background wins or loses other ties. */
+    @Test
+    fun mistakesInDepthTestsAreSeen() {
+        val rules = CorpusGroup.all.map { it.rule }.filter { "depthTests" in it.name }.toSet()
+        val scenes = CorpusFiles.cases(rules).map { it.scene }
+        fun seen(mistake: (Raster) -> Pair<DepthTest, Int>): Int = scenes.count { scene ->
+            val (test, depth) = mistake(scene.raster)
+            val raster = Raster(scene.raster.width, scene.raster.height, depthTest = test, backgroundDepth = depth)
+            val mistaken = CorpusScene(raster, scene.background, scene.shapes).expected
+            difference(scene.expected, scene.tolerated(mistaken)) != null
+        }
+        for ((right, wrong) in DepthTest.entries.flatMap { a -> DepthTest.entries.map { a to it } }) {
+            val count = seen { (if (it.depthTest == right) wrong else it.depthTest) to it.backgroundDepth }
+            assertTrue(count >= 3 || right == wrong, "$wrong instead of $right: $count")
+        }
+        for (step in listOf(-1, 1)) {
+            val count = seen { it.depthTest to (it.backgroundDepth.toLong() + step).coerceIn(0, 0x7FFFFFFF).toInt() }
+            assertTrue(count >= 3, "$step: $count")
+        }
     }
 
     /** Mixed colours are those of the library where w is 1. */

@@ -62,7 +62,7 @@ class ProgramResultsTest {
         val runs = Files.list(folder).use { files -> files.sorted().toList() }.map { Run(it) }
         for (run in runs) {
             assertEquals("${CorpusFiles.VERSION}", run.facts["corpus"], run.file.name)
-            assertEquals(340, run.results.size, run.file.name)
+            assertEquals(380, run.results.size, run.file.name)
         }
         assertTrue(runs.size >= 7, "five programs of others, and two of the project")
         val text = page.readText()
