@@ -159,10 +159,7 @@ public class LazyRow internal constructor(
         val colors = argb(checkpoint)
         val depths = IntArray(width)
         val indices = IntArray(width)
-        for (i in 0 until width) {
-            depths[i] = test.depthOf(keys[i])
-            indices[i] = test.indexOf(keys[i])
-        }
+        test.decode(keys, 0, depths, indices)
         account(depths.bytes + indices.bytes)
         sink.row(y, colors, depths, indices)
     }

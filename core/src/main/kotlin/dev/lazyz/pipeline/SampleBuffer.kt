@@ -52,11 +52,7 @@ internal class SampleBuffer(raster: Raster, val region: Region) {
         for (row in 0 until region.height) {
             endIfInterrupted()
             argb.copyInto(colors, 0, row * width, (row + 1) * width)
-            for (x in 0 until width) {
-                val key = keys[row * width + x]
-                depths[x] = test.depthOf(key)
-                indices[x] = test.indexOf(key)
-            }
+            test.decode(keys, row * width, depths, indices)
             sink.row(region.rowStart + row, colors, depths, indices)
         }
     }
@@ -94,16 +90,20 @@ internal class KeyedRows(
         val shadedBefore = counters.shadingCalls
         for (row in 0 until band.height) {
             endIfInterrupted()
-            for (i in 0 until width) {
-                val key = keys[row * width + i]
-                depths[i] = test.depthOf(key)
-                indices[i] = test.indexOf(key)
-            }
+            test.decode(keys, row * width, depths, indices)
             shading.shadeRow(band.rowStart + row, indices, colors)
             sink.row(band.rowStart + row, colors, depths, indices)
         }
 
         // All these shading calls were pending until now
         counters.peakSuspensions = maxOf(counters.peakSuspensions, counters.shadingCalls - shadedBefore)
+    }
+}
+
+/** Stores the depths and the submission indices that [keys] encode from element [at] on, a row of them. */
+internal fun DepthTest.decode(keys: LongArray, at: Int, depths: IntArray, indices: IntArray) {
+    for (x in depths.indices) {
+        depths[x] = depthOf(keys[at + x])
+        indices[x] = indexOf(keys[at + x])
     }
 }
