@@ -348,7 +348,7 @@ class ConformanceTest {
         val baseline = folder.resolve("known.csv")
         val failed = zcli(*words, "--program", "true {scene} {picture}", "--baseline", baseline)
         assertEquals(ExitCode.DIFFERENT, failed.code, failed.errors)
-        assertTrue("17-spheres-01,wrong" in baseline.readText())
+        assertTrue("18-spheres-01,wrong" in baseline.readText())
         zcli(*words, "--program", "true {scene} {picture}", "--baseline", baseline).done()
     }
 
