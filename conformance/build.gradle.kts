@@ -12,4 +12,5 @@ dependencies {
     implementation(libs.serialization.json)
     api(libs.junit.jupiter.api)
     api(libs.junit.platform.launcher)
+    testImplementation(libs.jacoco.agent)
 }

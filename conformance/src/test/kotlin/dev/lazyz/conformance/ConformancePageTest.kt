@@ -38,8 +38,8 @@ class ConformancePageTest {
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun programComparesTwoRenderers(@TempDir folder: Path) {
-        val report =
-            DifferentialFuzzing(ZBufferRenderer(), MyRenderer()).time(Duration.ofSeconds(1)).corpus(folder).run()
+        val fuzzing = DifferentialFuzzing({ ZBufferRenderer() }, { MyRenderer() })
+        val report = fuzzing.time(Duration.ofSeconds(1)).corpus(folder).run()
         check(report.isEqual) { report.toText() }
 
         // A busy machine may need the whole second for the first frame

@@ -249,7 +249,7 @@ internal class ConformanceCommand(private val streams: Streams, private val args
         val id = strategy ?: throw Mistake("which strategy? Use --strategy ID")
         streams.isQuiet = isQuiet
         streams.progress("comparing pictures of random frames ...")
-        val report = fuzzing.run(path.find(id), seed, path::find)
+        val report = fuzzing.run(id, seed, path::find)
         streams.print(report.toText())
         if (report.isEqual) ExitCode.DONE else ExitCode.DIFFERENT
     }

@@ -36,9 +36,10 @@ internal class FuzzingOptions :
     /** Whether two strategies are to be compared. */
     val isAsked: Boolean get() = against != null
 
-    /** Compares [strategy] with the reference, which [find] returns for its id. */
-    fun run(strategy: Renderer, seed: Long?, find: (String) -> Renderer): DifferentialReport {
-        val fuzzing = DifferentialFuzzing(find(checkNotNull(against)), strategy)
+    /** Compares [strategy] with the reference; [find] makes a renderer of an id. */
+    fun run(strategy: String, seed: Long?, find: (String) -> Renderer): DifferentialReport {
+        val reference = checkNotNull(against)
+        val fuzzing = DifferentialFuzzing({ find(reference) }, { find(strategy) })
         fuzzing.time(Duration.ofMillis(((minutes ?: 1.0) * MILLISECONDS).toLong()))
         seed?.let { fuzzing.seed(it) }
         corpus?.let { fuzzing.corpus(it) }

@@ -5,6 +5,7 @@ import dev.lazyz.DepthTest
 import dev.lazyz.Raster
 import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.Rgba
+import java.util.Random
 import net.jqwik.api.Arbitraries
 import net.jqwik.api.Arbitrary
 import net.jqwik.api.Combinators
@@ -67,5 +68,36 @@ internal object Rasters {
     private fun sides(max: Int): Arbitrary<Int> {
         require(max in 1..Raster.MAX_SIDE) { "a side must be in 1..${Raster.MAX_SIDE}: $max" }
         return mixed(2 to ints(1, max), 13 to ints((max + 1) / 2, max), 1 to Arbitraries.just(1))
+    }
+}
+
+/**
+ * Seeds of parts of a frame, so that one part can be another one, and the others stay as they are. Frames still shrink.
+ * Immutable.
+ *
+ * @property raster seed of the raster
+ * @property groups a seed for each group of primitives on the screen, or surface in space; at least one
+ */
+internal data class PartSeeds(val raster: Int, val groups: List<Int>) {
+    /** Generates one of [rasters], always the same. */
+    fun rasters(rasters: Arbitrary<Raster>): Arbitrary<Raster> = seeded(rasters) { raster }
+
+    /** Generates a list of [elements], always the same, that shrinks to shorter ones. */
+    fun <T : Any> lists(elements: Arbitrary<T>): Arbitrary<List<T>> = Arbitraries.fromGenerator { random ->
+        val seeds = groups.iterator()
+        seeded(elements) { seeds.next() }.list().ofMinSize(1).ofMaxSize(groups.size).withSizeDistribution(ALL)
+            .generator(GENERATOR_SIZE).next(random)
+    }
+
+    private fun <T : Any> seeded(values: Arbitrary<T>, seed: () -> Int): Arbitrary<T> {
+        val generator = values.generator(GENERATOR_SIZE)
+        return Arbitraries.fromGenerator { generator.next(Random(seed().toLong())) }
+    }
+
+    companion object {
+        /** Number of tries for which generators are made. */
+        const val GENERATOR_SIZE = 1000
+
+        private val ALL = RandomDistribution { _, _, most, _ -> RandomDistribution.RandomNumericGenerator { most } }
     }
 }

@@ -4,6 +4,7 @@ import dev.lazyz.Raster
 import dev.lazyz.conformance.cases.Confetti
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.Glass
+import dev.lazyz.conformance.cases.PartSeeds
 import dev.lazyz.conformance.cases.glazed
 import dev.lazyz.conformance.cases.ints
 import dev.lazyz.conformance.cases.listsOf
@@ -40,6 +41,7 @@ public class FrameMix private constructor(
     private val layers: Int = 0,
     private val levels: Int = 0,
     private val translucentPercent: Int = 0,
+    private val parts: PartSeeds? = null,
 ) {
     /**
      * Returns a mix in which [kind] has the given [weight], at least 0. Groups are chosen in proportion to the weights.
@@ -90,12 +92,15 @@ public class FrameMix private constructor(
         return copy(translucentPercent = percent)
     }
 
+    /** Returns a mix of frames with these [parts]; other frames of it differ in what is not among them. */
+    internal fun of(parts: PartSeeds): FrameMix = copy(parts = parts)
+
     /** Generates the frames; see [Frames.of]. */
     internal fun frames(): Arbitrary<FrameCase> {
         val onScreen = weights.filter { it.value > 0 && !it.key.isInSpace }
         val inSpace = weights.filter { it.value > 0 && it.key.isInSpace }
         require(onScreen.isNotEmpty() || inSpace.isNotEmpty()) { "a kind must have a weight above 0: $weights" }
-        val rasters = Frames.rasters(maxWidth, maxHeight)
+        val rasters = Frames.rasters(maxWidth, maxHeight).let { parts?.rasters(it) ?: it }
         val choices = ArrayList<Pair<Int, Arbitrary<FrameCase>>>()
         if (onScreen.isNotEmpty()) choices.add(onScreen.values.sum() to screen(rasters, onScreen))
         if (inSpace.isNotEmpty()) choices.add(inSpace.values.sum() to space(rasters, inSpace))
@@ -130,12 +135,11 @@ public class FrameMix private constructor(
         return WorldFrames.cases(rasters, counted(mixed(*surfaces.toTypedArray())))
     }
 
-    private fun <T : Any> counted(elements: Arbitrary<T>): Arbitrary<List<T>> =
-        if (minPrimitives == 0) {
-            listsOf(elements, maxPrimitives)
-        } else {
-            elements.list().ofMinSize(minPrimitives).ofMaxSize(maxPrimitives)
-        }
+    private fun <T : Any> counted(elements: Arbitrary<T>): Arbitrary<List<T>> = when {
+        parts != null -> parts.lists(elements)
+        minPrimitives == 0 -> listsOf(elements, maxPrimitives)
+        else -> elements.list().ofMinSize(minPrimitives).ofMaxSize(maxPrimitives)
+    }
 
     private fun leveled(piece: Piece): Piece {
         if (levels == 0 || piece !is PolygonPiece) return piece
@@ -168,7 +172,8 @@ public class FrameMix private constructor(
         layers: Int = this.layers,
         levels: Int = this.levels,
         translucentPercent: Int = this.translucentPercent,
-    ) = FrameMix(weights, maxWidth, maxHeight, minPrimitives, maxPrimitives, layers, levels, translucentPercent)
+        parts: PartSeeds? = this.parts,
+    ) = FrameMix(weights, maxWidth, maxHeight, minPrimitives, maxPrimitives, layers, levels, translucentPercent, parts)
 
     override fun toString(): String = "FrameMix($weights, $maxWidth x $maxHeight, " +
         "$minPrimitives..$maxPrimitives primitives, $layers layers, $levels levels, $translucentPercent% translucent)"

@@ -1,44 +1,50 @@
 package dev.lazyz.conformance.fuzz
 
 import dev.lazyz.Capability
+import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.changed.asOpaque
-import dev.lazyz.conformance.frames.Frames
-import dev.lazyz.conformance.judgement.Recording
-import dev.lazyz.conformance.judgement.difference
 import dev.lazyz.conformance.results.counted
-import dev.lazyz.conformance.run.smallest
 import java.io.IOException
-import java.nio.file.Files
 import java.nio.file.Path
-import java.nio.file.StandardOpenOption.APPEND
-import java.nio.file.StandardOpenOption.CREATE
 import java.time.Duration
 import java.util.Locale
 import java.util.Random
+import java.util.function.Supplier
 import net.jqwik.api.sessions.JqwikSession
 
 /**
  * Searches for frames that two renderers render differently, without an oracle, so that frames of any size and runs of
  * any duration are possible.
  *
- * The search is guided by the traits of frames: frames with a new pair of traits are kept, in a corpus on disk if there
- * is one, and are varied to create others. If one of the renderers does not blend, translucent frames are rendered as
- * opaque ones. Frames that differ are shrunk.
+ * The search is guided by the traits of frames and, if Java was started with JaCoCo's agent, by the code that the
+ * second renderer reaches: frames with a new pair of traits, and frames that reach new code, are kept, in a corpus on
+ * disk if there is one, and are varied to create others. If one of the renderers does not blend, translucent frames are
+ * rendered as opaque ones. The same renderers render many frames, one after the other. Frames that differ are shrunk,
+ * with those frames before them that it takes.
  *
  * Not thread safe. Uses jqwik's generators, so do not use jqwik otherwise in this thread during a run.
  *
- * @param expected the renderer that is assumed to be correct
- * @param actual the other renderer
+ * @param expected returns a new renderer that is assumed to be correct
+ * @param actual returns a new one of the other renderer
  */
-public class DifferentialFuzzing(private val expected: Renderer, private val actual: Renderer) {
+public class DifferentialFuzzing(
+    private val expected: Supplier<out Renderer>,
+    private val actual: Supplier<out Renderer>,
+) {
+    private val both = listOf(expected.get(), actual.get())
     private var time: Duration = Duration.ofMinutes(1)
     private var mostFrames = Long.MAX_VALUE
     private var corpus = Corpus(null)
     private var random = Random(FIXED_SEED)
+    private var probes = AgentProbes.find()
+    private var isGuided = true
+    private var mostSamples = MOST_SAMPLES
     private val pairs = TraitPairs()
     private val pool = ArrayList<Known>()
+    private val reaching = ArrayList<Recipe>()
+    private val inUse = HashMap<String, InUse>()
 
     /** Sets the duration of the run; by default a minute. */
     public fun time(time: Duration): DifferentialFuzzing = apply { this.time = time }
@@ -51,6 +57,15 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
 
     /** Sets the seed, to choose other frames. */
     public fun seed(seed: Long): DifferentialFuzzing = apply { random = Random(seed) }
+
+    /** Counts [probes], and lets them guide the search only if [isGuided]. */
+    internal fun probes(probes: Probes?, isGuided: Boolean) = apply {
+        this.probes = probes
+        this.isGuided = isGuided
+    }
+
+    /** Sets the greatest number of samples times primitives of a frame. */
+    internal fun mostSamples(samples: Long) = apply { mostSamples = samples }
 
     /**
      * Renders frames until the time is over, or [MOST_DIFFERENCES] of them differ.
@@ -74,15 +89,20 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
         }
         val milliseconds = (System.nanoTime() - start) / NANOSECONDS
         return DifferentialReport(
-            expected.id, actual.id, frames, minOf(remembered.toLong(), frames), pairs.size, differences, milliseconds,
+            both[0].id, both[1].id, frames, minOf(remembered.toLong(), frames), pairs.size, probes?.reached,
+            differences, milliseconds,
         )
     }
 
-    /** Returns a variation of a rare recipe, or a new one. */
+    /** Returns a variation of a recipe that reached new code, or of a rare one, or a new one. */
     private fun next(): Recipe {
         while (true) {
-            val recipe = if (pool.isEmpty() || random.nextInt(NEW) == 0) Recipe.any(random) else rare().changed(random)
-            if (recipe.cost <= MOST_SAMPLES) return recipe
+            val recipe = when {
+                pool.isEmpty() || random.nextInt(NEW) == 0 -> Recipe.any(random)
+                reaching.isNotEmpty() && random.nextBoolean() -> recent().varied(random)
+                else -> rare().changed(random)
+            }
+            if (recipe.cost <= mostSamples) return recipe
         }
     }
 
@@ -90,47 +110,68 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
     private fun rare(): Recipe =
         List(CANDIDATES) { pool[random.nextInt(pool.size)] }.maxBy { pairs.rarity(it.traits) }.recipe
 
+    /** Returns a recipe that reached new code, rather a new one. */
+    private fun recent(): Recipe {
+        val newest = if (random.nextBoolean()) minOf(reaching.size, NEWEST) else reaching.size
+        return reaching[reaching.size - 1 - random.nextInt(newest)]
+    }
+
     /**
      * Renders the frame of [recipe]. If the renderers differ, returns the difference for the smallest such frame that
      * was found; otherwise null.
      */
     private fun difference(recipe: Recipe, isNew: Boolean): String? {
-        val frame = recipe.frame()
-        val traits = recipe.traits(frame.value())
-        if (pairs.add(traits) > 0) {
-            pool.add(Known(recipe, traits))
-            if (isNew) corpus.add(recipe)
-        }
-        val first = disagreement(recipe, frame.value()) ?: return null
-        val (whole, disagreement) = smallest(frame, first, MOST_STEPS) { disagreement(recipe, it) }
+        val whole = recipe.frame().value()
+        val options = recipe.options().supportedBy(both[1])
+        val used = inUse.compute("$options") { _, old ->
+            old?.takeIf { it.recipes.size < MOST_EARLIER } ?: InUse(RendererPair(listOf(expected, actual), options))
+        }!!
+        used.recipes.add(recipe)
         val case = rendered(recipe, whole)
-        val who = "${expected.id} and ${actual.id} with ${recipe.options()}"
-        val message = "$who: $disagreement\nin\n$case\nrecipe $recipe"
-        corpus.addDifference(recipe, case, message)
+        val first = used.pair.disagreement(case) { probes?.forget() }
+        keep(recipe, whole, isNew)
+        if (first == null) return null
+        inUse.remove("$options")
+        val failure = reduced(used.recipes, options)
+        val cases = failure?.cases ?: listOf(case)
+        val where = when {
+            failure == null -> ", but not again with the same frames\nin"
+            cases.size == 1 -> "\nin"
+            else -> "\nin the last of ${cases.size} frames that the same renderers render, one after the other:"
+        }
+        val who = "${both[0].id} and ${both[1].id} with $options"
+        val message = "$who: ${failure?.why ?: first}$where\n${cases.joinToString("\n")}\nrecipe $recipe"
+        corpus.addDifference(recipe, cases, message)
         return message
     }
 
-    /** Describes how the two renderers differ for [whole]; null if they do not. */
-    private fun disagreement(recipe: Recipe, whole: FrameCase): String? {
-        val case = rendered(recipe, whole)
-        val (one, other) = listOf(expected, actual).map { renderer ->
-            runCatching { Recording.of(renderer.configured(recipe.options().supportedBy(renderer)), case.frame) }
-        }
-        val thrown = listOf(one, other).map { it.exceptionOrNull()?.javaClass?.name }
-        if (thrown[0] != thrown[1]) {
-            return "the first threw ${thrown[0] ?: "nothing"}, the second ${thrown[1] ?: "nothing"}"
-        }
-        val images = listOf(one, other).map { it.getOrNull()?.image ?: return null }
-        return difference(images[0], images[1])?.toString()
+    /** Keeps [recipe] if its frame, which was rendered, is a new kind of frame or reached new code. */
+    private fun keep(recipe: Recipe, whole: FrameCase, isNew: Boolean) {
+        val traits = recipe.traits(whole)
+        val isRare = pairs.add(traits) > 0
+        val reaches = (probes?.take() ?: 0) > 0 && isGuided
+        if (isRare) pool.add(Known(recipe, traits))
+        if (reaches) reaching.add(recipe)
+        if ((isRare || reaches) && isNew) corpus.add(recipe)
+    }
+
+    private fun reduced(recipes: List<Recipe>, options: RenderOptions): Failure? {
+        val frames = recipes.map { recipe -> recipe.frame().map { rendered(recipe, it) } }
+        return reduced(frames, MOST_STEPS) { RendererPair(listOf(expected, actual), options).disagreement(it) }
     }
 
     private fun rendered(recipe: Recipe, whole: FrameCase): FrameCase {
-        val blend = listOf(expected, actual).all { Capability.TRANSPARENCY in it.capabilities }
+        val blend = both.all { Capability.TRANSPARENCY in it.capabilities }
         val case = recipe.finish(whole)
         return if (blend || !case.frame.hasTranslucency) case else case.asOpaque()
     }
 
     private class Known(val recipe: Recipe, val traits: Set<String>)
+
+    /** Renderers with the recipes of the frames that they have rendered. */
+    private class InUse(val pair: RendererPair) {
+        val recipes = ArrayList<Recipe>()
+    }
 
     public companion object {
         /** Number of frames that differ after which a run ends. */
@@ -145,44 +186,17 @@ public class DifferentialFuzzing(private val expected: Renderer, private val act
         /** Number of recipes among which the rarest is varied. */
         private const val CANDIDATES = 8
 
+        /** Number of recipes that reached new code last, of which every other variation is one. */
+        private const val NEWEST = 32
+
+        /** Number of frames after which renderers are replaced by new ones. */
+        private const val MOST_EARLIER = 64
+
         /** Greatest cost of a frame. Larger ones would take seconds with the slowest renderers. */
         private const val MOST_SAMPLES = 3_000_000L
 
         /** Greatest number of smaller frames to render when shrinking a frame. */
         private const val MOST_STEPS = 300
-    }
-}
-
-/**
- * A folder with the results of fuzzing: `recipes.txt` has a line for each frame with a new pair of traits, and the
- * subfolder `differences` has the frames that two renderers rendered differently.
- *
- * @param folder created when something is written; if null, nothing is saved
- */
-internal class Corpus(private val folder: Path?) {
-    private val file = folder?.resolve("recipes.txt")
-
-    /** Reads the recipes. Lines of other versions are ignored. */
-    fun read(): List<Recipe> =
-        if (file == null || !Files.exists(file)) emptyList() else Files.readAllLines(file).mapNotNull(Recipe::parse)
-
-    /** Adds [recipe]. */
-    fun add(recipe: Recipe) {
-        if (file == null) return
-        Files.createDirectories(file.parent)
-        Files.writeString(file, "$recipe\n", CREATE, APPEND)
-    }
-
-    /**
-     * Saves a frame that is rendered differently, with the [message], and as a scene file if that format can express
-     * it.
-     */
-    fun addDifference(recipe: Recipe, case: FrameCase, message: String) {
-        val differences = folder?.resolve("differences") ?: return
-        Files.createDirectories(differences)
-        val name = "%08x".format(recipe.hashCode())
-        Files.writeString(differences.resolve("$name.txt"), "$recipe\n\n$message\n")
-        case.sceneFile()?.let { Files.writeString(differences.resolve("$name.json"), it) }
     }
 }
 
@@ -194,6 +208,7 @@ internal class Corpus(private val folder: Path?) {
  * @property frames number of frames that both rendered
  * @property remembered number of frames from the corpus among them
  * @property pairs number of pairs of traits that occurred
+ * @property probes number of probes, branches of code, that the other renderer reached; null without JaCoCo's agent
  * @property differences for each frame that differs: the first sample, both values, the frame as code, its recipe
  * @property milliseconds duration
  */
@@ -203,6 +218,7 @@ public class DifferentialReport internal constructor(
     public val frames: Long,
     public val remembered: Long,
     public val pairs: Int,
+    public val probes: Int?,
     public val differences: List<String>,
     public val milliseconds: Long,
 ) {
@@ -218,43 +234,12 @@ public class DifferentialReport internal constructor(
             else -> "${differences.size} pictures differ"
         }
         append("$actual against $expected: ${counted(frames, "frame")}, $remembered of them from the corpus, ")
-        append("${counted(pairs.toLong(), "pair")} of traits; $verdict; ")
+        append("${counted(pairs.toLong(), "pair")} of traits, ")
+        append(probes?.let { counted(it.toLong(), "probe") } ?: "not guided by code: Java has no agent of JaCoCo")
+        append("; $verdict; ")
         append("%.1f s\n".format(Locale.ROOT, milliseconds / 1000.0))
     }
 
     override fun toString(): String = "DifferentialReport($actual against $expected, $frames frames, " +
         "${differences.size} differences)"
-}
-
-/**
- * Counts how often two traits occurred in the same frame, to guide fuzzing to new kinds of frames.
- *
- * A trait is a word, such as `TIE` or `WIDTH=65`. Not thread safe.
- */
-internal class TraitPairs {
-    private val counts = HashMap<Pair<String, String>, Int>()
-
-    /** Number of different pairs that occurred. */
-    val size: Int get() = counts.size
-
-    /** Counts the pairs of a frame's [traits], and returns how many of them are new. */
-    fun add(traits: Set<String>): Int {
-        var new = 0
-        forEach(traits) { pair -> if (counts.merge(pair, 1, Int::plus) == 1) new++ }
-        return new
-    }
-
-    /** Returns how rare the pairs of [traits] are: the sum of the reciprocals of their counts. */
-    fun rarity(traits: Set<String>): Double {
-        var sum = 0.0
-        forEach(traits) { pair -> sum += 1.0 / counts.getOrDefault(pair, 1) }
-        return sum
-    }
-
-    private inline fun forEach(traits: Set<String>, block: (Pair<String, String>) -> Unit) {
-        val sorted = traits.sorted()
-        for (i in sorted.indices) {
-            for (j in i + 1 until sorted.size) block(sorted[i] to sorted[j])
-        }
-    }
 }

@@ -3,6 +3,7 @@ package dev.lazyz.conformance.fuzz
 import dev.lazyz.RenderOptions
 import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.PartSeeds
 import dev.lazyz.conformance.cases.changed.withinAny
 import dev.lazyz.conformance.census.Census
 import dev.lazyz.conformance.frames.FrameKind
@@ -14,9 +15,13 @@ import net.jqwik.api.Shrinkable
 /**
  * A frame and the options to render it with, as a line of text from which both can be created again. Immutable.
  *
- * @property seed seed of the frame's random parts
+ * @property seed seed of what is not among the [parts]: camera, lights, order, region
  */
-internal class Recipe private constructor(private val chosen: Map<Ingredient, String>, val seed: Long) {
+internal data class Recipe(
+    private val chosen: Map<Ingredient, String>,
+    private val seed: Long,
+    private val parts: PartSeeds,
+) {
     /** Returns the value of [ingredient]. */
     operator fun get(ingredient: Ingredient): String = chosen.getValue(ingredient)
 
@@ -27,12 +32,42 @@ internal class Recipe private constructor(private val chosen: Map<Ingredient, St
         get() = 1L * number(Ingredient.WIDTH) * number(Ingredient.HEIGHT) *
             (number(Ingredient.PRIMITIVES) + number(Ingredient.LAYERS))
 
-    /** Returns a recipe with another seed and, in most cases, another value of one ingredient. */
-    fun changed(random: Random): Recipe {
-        val seed = random.nextLong()
-        if (random.nextInt(SEED_ONLY) == 0) return Recipe(chosen, seed)
+    /** Returns a recipe with other seeds and, in most cases, another value of one ingredient. */
+    fun changed(random: Random): Recipe =
+        of(if (random.nextInt(SEEDS_ONLY) == 0) chosen else withAnother(random).chosen, random)
+
+    /** Returns a recipe in which one or a few things are others, so that most of the frame stays as it is. */
+    fun varied(random: Random): Recipe {
+        var recipe = this
+        do {
+            recipe = when (random.nextInt(WAYS)) {
+                0 -> recipe.withAnother(random)
+                1 -> recipe.copy(seed = random.nextLong())
+                2 -> recipe.copy(parts = recipe.parts.copy(raster = random.nextInt()))
+                else -> recipe.copy(parts = recipe.parts.copy(groups = recipe.variedGroups(random)))
+            }
+        } while (random.nextBoolean())
+        return recipe
+    }
+
+    private fun withAnother(random: Random): Recipe {
         val ingredient = Ingredient.entries[random.nextInt(Ingredient.entries.size)]
-        return Recipe(chosen + (ingredient to any(ingredient, random)), seed)
+        return copy(chosen = chosen + (ingredient to any(ingredient, random)))
+    }
+
+    /** Returns the seeds of the groups with one of them new, moved or repeated, or with more or fewer of them. */
+    private fun variedGroups(random: Random): List<Int> {
+        val most = number(Ingredient.PRIMITIVES)
+        val groups = parts.groups.toMutableList()
+        val at = random.nextInt(groups.size)
+        when (random.nextInt(WAYS)) {
+            0 -> groups[at] = random.nextInt()
+            1 -> groups.add(random.nextInt(groups.size), groups.removeAt(at))
+            2 -> groups.add(at, groups[random.nextInt(groups.size)])
+            3 -> groups.addAll(at, anyGroups(most, random))
+            else -> groups.subList(at, random.nextInt(at, groups.size) + 1).clear()
+        }
+        return groups.take(most).ifEmpty { anyGroups(most, random) }
     }
 
     /** Returns the options of this recipe. */
@@ -52,7 +87,8 @@ internal class Recipe private constructor(private val chosen: Map<Ingredient, St
             .layered(number(Ingredient.LAYERS))
             .levels(number(Ingredient.LEVELS))
             .translucent(number(Ingredient.TRANSLUCENT))
-        return Frames.of(mix).generator(GENERATOR_SIZE).next(Random(seed))
+            .of(parts)
+        return Frames.of(mix).generator(PartSeeds.GENERATOR_SIZE).next(Random(seed))
     }
 
     /** Returns the part of [case] to render. */
@@ -66,17 +102,15 @@ internal class Recipe private constructor(private val chosen: Map<Ingredient, St
     }
 
     /** Returns the line of text. */
-    override fun toString(): String = chosen.entries.joinToString(" ") { "${it.key}=${it.value}" } + " SEED=$seed"
-
-    override fun equals(other: Any?): Boolean = other is Recipe && chosen == other.chosen && seed == other.seed
-
-    override fun hashCode(): Int = toString().hashCode()
+    override fun toString(): String = chosen.entries.joinToString(" ", postfix = " ") { "${it.key}=${it.value}" } +
+        "SEED=$seed RASTER=${parts.raster} GROUPS=${parts.groups.joinToString(",")}"
 
     companion object {
-        /** One in this number of changes affects only the seed. */
-        private const val SEED_ONLY = 3
+        /** One in this number of changes affects only the seeds. */
+        private const val SEEDS_ONLY = 3
 
-        private const val GENERATOR_SIZE = 1000
+        /** Number of ways to vary a recipe, and its groups. */
+        private const val WAYS = 5
 
         /**
          * Greatest number of samples times primitives to examine. Examining larger frames takes longer than rendering
@@ -85,8 +119,17 @@ internal class Recipe private constructor(private val chosen: Map<Ingredient, St
         private const val MOST_EXAMINED = 300_000L
 
         /** Returns a random recipe. */
-        fun any(random: Random): Recipe =
-            Recipe(Ingredient.entries.associateWith { any(it, random) }, random.nextLong())
+        fun any(random: Random): Recipe = of(Ingredient.entries.associateWith { any(it, random) }, random)
+
+        /** Returns a recipe with random seeds. */
+        private fun of(chosen: Map<Ingredient, String>, random: Random): Recipe {
+            val groups = anyGroups(chosen.getValue(Ingredient.PRIMITIVES).toInt(), random)
+            return Recipe(chosen, random.nextLong(), PartSeeds(random.nextInt(), groups))
+        }
+
+        /** Returns seeds of 1 to [most] groups; few are more frequent than many. */
+        private fun anyGroups(most: Int, random: Random): List<Int> =
+            List(1 + random.nextInt(1 + random.nextInt(most))) { random.nextInt() }
 
         private fun any(ingredient: Ingredient, random: Random): String =
             ingredient.choices[random.nextInt(ingredient.choices.size)]
@@ -94,9 +137,12 @@ internal class Recipe private constructor(private val chosen: Map<Ingredient, St
         /** Parses [line]; returns null if it is not a recipe of this version. */
         fun parse(line: String): Recipe? {
             val words = line.trim().split(' ').associate { it.substringBefore('=') to it.substringAfter('=', "") }
-            val seed = words["SEED"]?.toLongOrNull() ?: return null
             val chosen = Ingredient.entries.associateWith { words[it.name] ?: return null }
-            return if (chosen.all { (key, value) -> value in key.choices }) Recipe(chosen, seed) else null
+            val seed = words["SEED"]?.toLongOrNull() ?: return null
+            val raster = words["RASTER"]?.toIntOrNull() ?: return null
+            val groups = words["GROUPS"].orEmpty().split(',').map { it.toIntOrNull() ?: return null }
+            val isKnown = chosen.all { (key, value) -> value in key.choices }
+            return if (isKnown) Recipe(chosen, seed, PartSeeds(raster, groups)) else null
         }
     }
 }

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir
 
 class DifferentialFuzzingTest {
     private fun fuzzing(actual: Renderer, frames: Long = FRAMES) =
-        DifferentialFuzzing(ZBufferRenderer(), actual).frames(frames)
+        DifferentialFuzzing({ ZBufferRenderer() }, { actual }).frames(frames)
 
     @Test
     fun renderersThatAgreeAreFoundToAgree() {
@@ -61,7 +61,7 @@ class DifferentialFuzzingTest {
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun exceptionOfOneIsADifference() {
-        val report = fuzzing(BasicMistakes.needsTwoColumns()).run()
+        val report = fuzzing(BasicMistakes.needsTwoColumns(), 5 * FRAMES).run()
         assertTrue(report.differences.any { "the second java.lang.IllegalStateException" in it }, report.toText())
     }
 
@@ -69,7 +69,7 @@ class DifferentialFuzzingTest {
     fun recipeIsMadeAgainFromItsText() {
         val random = Random(1)
         repeat(100) {
-            val recipe = Recipe.any(random).changed(random)
+            val recipe = Recipe.any(random).changed(random).varied(random)
             assertEquals(recipe, Recipe.parse("$recipe"))
         }
         assertEquals(null, Recipe.parse("# no recipe"))
