@@ -26,7 +26,8 @@ internal class ExactEnvironment(environment: Environment, intensity: Double) {
         val outer = l.y < 0
         val p = if (outer) Math.copySign(1 - Math.abs(l.z) / sum, l.x) else l.x / sum
         val q = if (outer) Math.copySign(1 - Math.abs(l.x) / sum, l.z) else l.z / sum
-        val place = roughness * (levels.size - 1)
+        val finest = 3.5 / 39.5
+        val place = if (roughness < finest) roughness / finest else (43 * roughness - 2.5) / (1 + 3.5 * roughness)
         val first = minOf(Math.floor(place).toInt(), levels.size - 2)
         val (a, b) = read(levels[first], p, q) to read(levels[first + 1], p, q)
         return DoubleArray(3) { factor * (a[it] + (b[it] - a[it]) * (place - first)) }

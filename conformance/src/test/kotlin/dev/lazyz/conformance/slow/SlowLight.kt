@@ -30,8 +30,8 @@ internal fun Vector3dc.slow() = Vec(x(), y(), z())
 
 /**
  * The light that a surface reflects, by appendix B of the specification of glTF 2.0, and by the texts of
- * `KHR_lights_punctual`, `KHR_materials_specular`, `KHR_materials_ior`, `KHR_materials_clearcoat` and
- * `KHR_materials_sheen`. The appendix permits to mix the parameters of a metal and a dielectric instead of their light.
+ * `KHR_lights_punctual`, `KHR_materials_specular`, `KHR_materials_ior` and `KHR_materials_clearcoat`; see also
+ * [SlowLobes]. The appendix permits to mix the parameters of a metal and a dielectric instead of their light.
  * Light from all sides is a sum over a grid of directions.
  *
  * A light of colour 1 stands for pi lux, so that it makes a white matt surface white.
@@ -40,18 +40,20 @@ internal fun Vector3dc.slow() = Vec(x(), y(), z())
  * @param backward the direction to the viewer
  */
 internal class SlowLight(private val scene: Scene, private val right: Vec, private val backward: Vec) {
-    /** A point of a surface; [smooth] is the normal without a normal map. */
+    /** A point of a surface: [smooth] is the normal without a normal map, [along] the direction of anisotropy. */
     class Surface(
         val base: DoubleArray,
         val metallic: Double,
         val roughness: Double,
         val normal: Vec,
         val smooth: Vec,
+        val along: Vec?,
         val lobes: Lobes?,
     )
 
     private val environment = scene.environment
         ?: if (scene.lights.isEmpty()) Environment.USUAL else Environment.FAINT
+    private val albedos = HashMap<Pair<Double, Double>, Double>()
 
     fun of(surface: Surface, point: Vec, v: Vec, emission: DoubleArray): DoubleArray {
         val below = DoubleArray(3)
@@ -110,31 +112,59 @@ internal class SlowLight(private val scene: Scene, private val right: Vec, priva
         val index = specular.refraction.toDouble()
         val normal = Math.pow((index - 1) / (index + 1), 2.0)
         val grazing = Math.pow(1 - Math.abs(v dot h), 5.0)
-        val microfacets = ggx(surface.normal, l, v, h, surface.roughness)
+        val stretch = surface.lobes?.anisotropy
+        val microfacets = if (stretch == null) {
+            SlowLobes.ggx(surface.normal, l, v, h, surface.roughness)
+        } else {
+            val strength = stretch.strength.toDouble()
+            SlowLobes.stretched(surface.normal, surface.along!!, l, v, h, surface.roughness, strength)
+        }
         val tint = parts(specular.color)
+        val film = surface.lobes?.iridescence
         val fresnel = DoubleArray(3) {
             val f0 = Math.min(normal * tint[it], 1.0) * specular.strength * (1 - metallic) + surface.base[it] * metallic
             val f90 = specular.strength * (1 - metallic) + metallic
-            f0 + (f90 - f0) * grazing
+            val bare = f0 + (f90 - f0) * grazing
+            val part = film?.strength?.toDouble() ?: 0.0
+            bare * (1 - part) + (film?.let { film -> SlowLobes.film(f0, it, film, Math.abs(v dot h)) * part } ?: 0.0)
         }
 
         // A coloured reflection takes its largest part from all colours
-        val isColored = specular.color != Rgba.WHITE
+        val isColored = specular.color != Rgba.WHITE || film != null
+        val matt = 1 - metallic - (1 - metallic) * passing(surface)
         val own = DoubleArray(3) {
             val kept = 1 - if (isColored) fresnel.max() else fresnel[it]
-            kept * surface.base[it] * (1 - metallic) / Math.PI + fresnel[it] * microfacets
+            kept * surface.base[it] * matt / Math.PI + fresnel[it] * microfacets
         }
         val sheen = surface.lobes?.sheen
         if (sheen != null) {
             val color = parts(sheen.color)
-            val fibres = fibres(surface.normal, l, v, h, sheen.roughness.toDouble())
+            val fibres = SlowLobes.fibres(surface.normal, l, v, h, sheen.roughness.toDouble())
             val kept = 1 - color.take(3).max() * sheenAlbedo(surface.normal dot v, sheen.roughness.toDouble())
             for (k in 0 until 3) own[k] = own[k] * kept + color[k] * fibres
         }
         for (k in 0 until 3) own[k] *= cosine
         val lacquer = surface.lobes?.clearcoat ?: return own to 0.0
-        val coat = ggx(surface.smooth, l, v, h, lacquer.roughness.toDouble()) * Math.max(surface.smooth dot l, 0.0)
+        val coat =
+            SlowLobes.ggx(surface.smooth, l, v, h, lacquer.roughness.toDouble()) * Math.max(surface.smooth dot l, 0.0)
         return own to coat * coat(surface, v)
+    }
+
+    /** Which part of the light that is not reflected passes a dielectric: `KHR_materials_transmission`. */
+    private fun passing(surface: Surface) = surface.lobes?.transmission?.strength?.toDouble() ?: 0.0
+
+    /**
+     * Which part of the light from straight behind passes, in each channel: the part of `KHR_materials_transmission`
+     * that is not blurred, times what is left by `KHR_materials_volume`.
+     */
+    fun passed(surface: Surface, v: Vec): DoubleArray {
+        val glass = surface.lobes?.transmission ?: return DoubleArray(3)
+        val left = parts(glass.attenuationColor)
+        val way = glass.thickness.toDouble() / glass.attenuationDistance
+        val reflected = 0.04 + 0.96 * Math.pow(1 - Math.abs(surface.normal dot v), 5.0)
+        return DoubleArray(3) {
+            passing(surface) * (1 - surface.metallic) * (1 - reflected) * surface.base[it] * Math.pow(left[it], way)
+        }
     }
 
     /** Which part of the light a clear coat reflects, from the viewer's side. */
@@ -143,32 +173,10 @@ internal class SlowLight(private val scene: Scene, private val right: Vec, priva
         return strength * (0.04 + 0.96 * Math.pow(1 - Math.abs(surface.smooth dot v), 5.0))
     }
 
-    /** D G / (4 |v.n| |l.n|) of appendix B.3.2. */
-    private fun ggx(n: Vec, l: Vec, v: Vec, h: Vec, roughness: Double): Double {
-        val a2 = Math.pow(roughness, 4.0)
-        val nl = n dot l
-        val nv = n dot v
-        val nh = n dot h
-        if (nl <= 0 || nh <= 0) return 0.0
-        fun shadow(c: Double) = 2 * Math.abs(c) / (Math.abs(c) + Math.sqrt(a2 + (1 - a2) * c * c))
-        val d = a2 / (Math.PI * Math.pow(nh * nh * (a2 - 1) + 1, 2.0))
-        return d * shadow(nl) * shadow(nv) / (4 * Math.abs(nv) * Math.abs(nl))
-    }
-
-    /** The distribution "Charlie" with the visibility of Neubelt and Pettineo. */
-    private fun fibres(n: Vec, l: Vec, v: Vec, h: Vec, roughness: Double): Double {
-        val nl = n dot l
-        val nv = Math.abs(n dot v)
-        val nh = n dot h
-        if (nl <= 0) return 0.0
-        val inverse = 1 / (roughness * roughness)
-        val d = (2 + inverse) * Math.pow(Math.sqrt(Math.max(1 - nh * nh, 0.0)), inverse) / (2 * Math.PI)
-        return d / (4 * (nl + nv - nl * nv))
-    }
-
     /** What fibres reflect of a uniform light of 1. */
-    private fun sheenAlbedo(cosine: Double, roughness: Double): Double =
-        albedo(cosine) { n, l, v -> fibres(n, l, v, (l + v).unit(), roughness) }
+    private fun sheenAlbedo(cosine: Double, roughness: Double) = albedos.getOrPut(cosine to roughness) {
+        albedo(cosine) { n, l, v -> SlowLobes.fibres(n, l, v, (l + v).unit(), roughness) }
+    }
 
     /** The part of a uniform light that a surface reflects to a viewer at an angle with the given cosine. */
     private fun albedo(cosine: Double, reflected: (n: Vec, l: Vec, v: Vec) -> Double): Double {
@@ -184,7 +192,10 @@ internal class SlowLight(private val scene: Scene, private val right: Vec, priva
     private inner class Several(private val surface: Surface, v: Vec) {
         private val lost = LOST.getOrPut(surface.roughness) {
             DoubleArray(17) { i ->
-                1 - albedo(Math.max(i / 16.0, 0.01)) { n, l, v -> ggx(n, l, v, (l + v).unit(), surface.roughness) }
+                1 -
+                    albedo(Math.max(i / 16.0, 0.01)) { n, l, v ->
+                        SlowLobes.ggx(n, l, v, (l + v).unit(), surface.roughness)
+                    }
             }
         }
         private val mean = (0 until 16).sumOf { (lost[it] + lost[it + 1]) / 2 * (2 * it + 1) / 256 }

@@ -73,10 +73,10 @@ internal class SlowRenderer(
     private fun sample(x: Double, y: Double): DoubleArray {
         var color = parts(scene.background)
         for (hit in hits(x, y)) {
-            val (own, alpha) = shaded(hit, x, y)
-            color = DoubleArray(3) { own[it].coerceIn(0.0, 1.0) * alpha + color[it] * (1 - alpha) }
+            val (own, alpha, passed) = shaded(hit, x, y)
+            color = DoubleArray(3) { (own[it] + passed[it] * color[it]) * alpha + color[it] * (1 - alpha) }
         }
-        return color
+        return DoubleArray(3) { color[it].coerceIn(0.0, 1.0) }
     }
 
     /** The ray through (x, y): a point on it and its direction, which goes 1 along the line of sight. */
@@ -172,8 +172,8 @@ internal class SlowRenderer(
     private fun flat(depth: Double, material: Material, color: DoubleArray?): Hit =
         Hit(depth, Vec(0.0, 0.0, 0.0), material, color ?: WHITE, null, null) { _, _, _ -> error("no coordinates") }
 
-    /** The colour of a hit, and its opacity. */
-    private fun shaded(hit: Hit, x: Double, y: Double): Pair<DoubleArray, Double> {
+    /** The colour of a hit, its opacity, and what passes glass. */
+    private fun shaded(hit: Hit, x: Double, y: Double): Triple<DoubleArray, Double, DoubleArray> {
         fun read(map: TextureMap?): DoubleArray? = map?.takeIf { hit.normal != null }?.let { at(it, hit, x, y) }
         val base = parts(hit.material.baseColor)
         val texel = read(hit.material.textureMap)
@@ -187,26 +187,39 @@ internal class SlowRenderer(
         read(hit.material.emissionMap)?.let { for (k in 0 until 3) emission[k] *= it[k] }
         val model = hit.material.metallicRoughness
         if (hit.normal == null || model == null || alpha == 0.0) {
-            return DoubleArray(3) { base[it] + emission[it] } to alpha
+            return Triple(DoubleArray(3) { base[it] + emission[it] }, alpha, DoubleArray(3))
         }
         val parameters = read(model.map)
         val surface = SlowLight.Surface(
             base, model.metallic * (parameters?.get(2) ?: 1.0), model.roughness * (parameters?.get(1) ?: 1.0),
-            bumped(hit, read(hit.material.normalMap?.map)), hit.normal, model.lobes,
+            bumped(hit, read(hit.material.normalMap?.map)), hit.normal, along(hit), model.lobes,
         )
         val v = if (isPerspective) (camera.eye.slow() - hit.point).unit() else backward
-        return light.of(surface, hit.point, v, emission) to alpha
+        return Triple(light.of(surface, hit.point, v, emission), alpha, light.passed(surface, v))
+    }
+
+    /** The tangent and the bitangent, or null. */
+    private fun tangents(hit: Hit): Pair<Vec, Vec>? {
+        val n = hit.normal!!
+        val (x, y, z, w) = hit.tangent ?: return null
+        val t = Vec(x, y, z).let { it - n * (it dot n) }.unit()
+        return t to n.cross(t) * Math.signum(w)
+    }
+
+    /** The direction of anisotropy: the tangent, turned toward the bitangent. */
+    private fun along(hit: Hit): Vec? {
+        val angle = Math.toRadians(hit.material.metallicRoughness!!.lobes?.anisotropy?.rotation?.toDouble() ?: 0.0)
+        return tangents(hit)?.let { (t, b) -> t * Math.cos(angle) + b * Math.sin(angle) }
     }
 
     /** The normal with that of a normal map, whose colours are [texel]. */
     private fun bumped(hit: Hit, texel: DoubleArray?): Vec {
         val n = hit.normal!!
         if (texel == null) return n
-        val (x, y, z, w) = hit.tangent!!
-        val t = Vec(x, y, z).let { it - n * (it dot n) }.unit()
+        val (t, b) = tangents(hit)!!
         val scale = hit.material.normalMap!!.scale.toDouble()
-        val (tx, ty, tz) = DoubleArray(3) { 2 * texel[it] - 1 }
-        return (t * (tx * scale) + n.cross(t) * (ty * scale * Math.signum(w)) + n * tz).unit()
+        val (x, y, z) = DoubleArray(3) { 2 * texel[it] - 1 }
+        return (t * (x * scale) + b * (y * scale) + n * z).unit()
     }
 
     private fun at(map: TextureMap, hit: Hit, x: Double, y: Double): DoubleArray {

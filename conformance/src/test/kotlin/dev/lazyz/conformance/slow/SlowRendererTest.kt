@@ -139,6 +139,60 @@ class SlowRendererTest {
         compare("coloured", lit(listOf(0, 3, 6).map(colored::get), sun), 1, Tolerance(3.0, 6.0))
     }
 
+    /** Light that is mirrored: there, the angle between the viewer and the normal is that to the microfacets. */
+    @Test
+    fun filmsAreThoseOfTheSpecification() {
+        for (thickness in listOf(120f, 380f, 700f)) {
+            val film = Lobes(iridescence = Lobes.Iridescence(0.8f, 1.7f, thickness))
+            val metal = Material(BROWN).withMetallicRoughness(MetallicRoughness(1f, 0.5f, null, film))
+            val plastic = Material(Rgba.BLACK).withMetallicRoughness(MetallicRoughness(0f, 0.5f, null, film))
+            for ((material, degrees) in listOf(metal to 5.0, metal to 35.0, metal to 60.0, plastic to 5.0)) {
+                val pane = listOf(square(2f, 0f, material))
+                val (y, z) = Math.toRadians(degrees).let { Math.cos(it) to Math.sin(it) }
+                val up = Vector3d(0.0, 1.0, 0.0)
+                val camera = Camera.orthographic(Vector3d(0.0, 5 * y, 5 * z), Vector3d(), up, 1.0, 0.1, 100.0)
+                val mirrored = Light.Directional(Vector3d(0.0, -y, z), Rgba(0.2f, 0.2f, 0.2f))
+                val scene = scene(pane, camera).withLights(listOf(mirrored)).withEnvironment(Environment.NONE)
+                compare("$thickness, $degrees", scene.withToneMapping(ToneMapping.NONE), 1, Tolerance(0.7, 1.2))
+            }
+        }
+    }
+
+    /** Elsewhere, a film has the colour that the viewer's direction gives, not that of each light. */
+    @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    fun filmsOnBallsHaveTheirColours() {
+        val film = Lobes(iridescence = Lobes.Iridescence(0.8f, 1.7f, 380f))
+        compare("metal", lit(listOf(2, 5, 8).map(balls(film)::get), sun), 1, Tolerance(3.0, 17.0))
+        compare("matt", lit(listOf(0, 3, 6).map(balls(film)::get), sun), 1, Tolerance(2.3, 7.0))
+    }
+
+    @Test
+    fun stretchedHighlightsAreThoseOfTheSpecification() {
+        val stretched = balls(Lobes(anisotropy = Lobes.Anisotropy(0.7f, 30f)))
+        compare("stretched", lit(stretched, sun), 1, Tolerance(0.3, 1.2))
+    }
+
+    /** Light that passes a pane: exact for grey glass; one opacity for all colours cannot be right for others. */
+    @Test
+    fun glassShowsWhatIsBehindIt() {
+        fun seen(ground: Rgba, color: Rgba): Scene {
+            val glass = Lobes(transmission = Lobes.Transmission(0.9f, null, 0.4f, null, color, 0.8f))
+            val model = MetallicRoughness(0f, 0.1f, null, glass)
+            val pane = Material(Rgba(0.9f, 0.9f, 0.9f)).withAlphaMode(AlphaMode.BLEND).withMetallicRoughness(model)
+            val floor = square(3f, -0.1f, Material(ground, shading = Material.Shading.CONSTANT))
+            return scene(listOf(floor, square(2f, 0f, pane)), usual).withToneMapping(ToneMapping.NONE)
+        }
+        for (ground in listOf(Rgba(0.2f, 0.25f, 0.3f), Rgba.WHITE)) {
+            val grey = seen(ground, Rgba(0.4f, 0.4f, 0.4f))
+            compare("grey", grey.withEnvironment(Environment.NONE), 1, Tolerance(0.5, 1.2))
+            compare("grey in the studio", grey, 1, Tolerance(1.9, 17.0))
+            val isWhite = ground == Rgba.WHITE
+            val blue = if (isWhite) Tolerance(22.0, 42.0) else Tolerance(4.5, 17.0)
+            compare("blue", seen(ground, Rgba(0.1f, 0.3f, 1f)), 1, blue)
+        }
+    }
+
     /** Neighbouring texels of the normal map differ much, which multiplies what single precision loses. */
     @Test
     fun mapsChangeTheSurface() {
@@ -159,6 +213,22 @@ class SlowRendererTest {
             compare("matt", studio(eye, listOf(0, 3, 6)), 1, Tolerance(2.0, 6.0))
         }
         compare("black", studio(Vector3d(0.0, 0.0, 5.0), listOf(3, 6), Rgba.BLACK), 1, Tolerance(3.8, 9.0))
+    }
+
+    /** Sheen and a clear coat on matt surfaces; a film and stretched highlights on metals. */
+    @Test
+    @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
+    fun lobesReflectTheStudio() {
+        val eye = Vector3d(3.0, 1.0, 4.0)
+        fun seen(lobes: Lobes, numbers: List<Int>) =
+            scene(numbers.map(balls(lobes)::get), perspective(eye)).withToneMapping(ToneMapping.NONE)
+        val (matt, metal) = listOf(0, 3, 6) to listOf(2, 5, 8)
+        val sheen = Lobes(sheen = Lobes.Sheen(Rgba(0.9f, 0.4f, 0.3f), 0.5f))
+        compare("sheen", seen(sheen, matt), 1, Tolerance(2.4, 10.0))
+        compare("coat", seen(Lobes(clearcoat = Lobes.Clearcoat(0.8f, 0.3f)), matt), 1, Tolerance(1.6, 5.0))
+        val film = Lobes(iridescence = Lobes.Iridescence(0.8f, 1.7f, 380f))
+        compare("film", seen(film, metal), 1, Tolerance(11.0, 42.0))
+        compare("stretched", seen(Lobes(anisotropy = Lobes.Anisotropy(0.7f, 30f)), metal), 1, Tolerance(12.5, 58.0))
     }
 
     /** Light that is blurred by roughness has a simple form, and is the same from all sides of a reflected ray. */
@@ -262,7 +332,11 @@ class SlowRendererTest {
             val next = it / columns * columns + (it + 1) % columns
             listOf(it, next, it + columns, next, next + columns, it + columns)
         }
-        return Mesh(positions, triangles.toIntArray(), material, normals)
+        val tangents = FloatArray(normals.size / 3 * 4) {
+            val angle = 2 * Math.PI * (it / 4 % columns) / columns
+            floatArrayOf(-Math.sin(angle).toFloat(), 0f, Math.cos(angle).toFloat(), -1f)[it % 4]
+        }
+        return Mesh(positions, triangles.toIntArray(), material, normals, tangents = tangents)
     }
 
     private companion object {

@@ -68,7 +68,10 @@ internal class LobeLighting(
         }
     }
 
-    /** Stores which part of the light from behind passes: the mean. Colours of which more passes glow. */
+    /**
+     * Stores which part of the light from behind passes: a number between the least and the mean of the three colours,
+     * so that the glass keeps its hue and still shows what is behind. Colours of which more passes glow.
+     */
     private fun transmit(surface: FloatArray, cosineV: Float, vx: Float, vy: Float, vz: Float, out: FloatArray) {
         surface[PhysicalSurface.PASSED] = 0f
         if (!(mostOf(surface, PhysicalSurface.TRANSMITTED) > 0f)) return
@@ -80,7 +83,9 @@ internal class LobeLighting(
                 surface[at + channel] *= maxOf(1f - once, 0f)
             }
         }
-        val passed = minOf((surface[at] + surface[at + 1] + surface[at + 2]) / 3f, MOST_PASSED)
+        val mean = (surface[at] + surface[at + 1] + surface[at + 2]) / 3f
+        val least = minOf(surface[at], surface[at + 1], surface[at + 2])
+        val passed = minOf(0.5f * (mean + least), MOST_PASSED)
         irradiance(surface, -vx, -vy, -vz)
         for (channel in 0 until 3) {
             out[channel] += maxOf(surface[at + channel] - passed, 0f) * surface[PhysicalSurface.IRRADIANCE + channel]

@@ -35,7 +35,7 @@ public class EnvironmentMap private constructor(
                 q = if (q < 0f) abs(p) - 1f else 1f - abs(p)
                 p = folded
             }
-            val place = roughness * (levels.size - 1)
+            val place = place(roughness)
             val level = minOf(place.toInt(), levels.size - 2)
             val part = place - level
             levels[level].add(p, q, 1f - part, out, at)
@@ -52,8 +52,8 @@ public class EnvironmentMap private constructor(
         /** The most light of a texel. */
         public const val MOST: Float = 1e9f
 
-        /** Sides of the levels after the first, by eighths of the perceptual roughness. */
-        private val SIDES = intArrayOf(256, 128, 128, 64, 32, 32, 32, 32)
+        /** Sides of the levels after the first, see [roughness]. */
+        private val SIDES = intArrayOf(256, 256, 160, 128, 128, 96, 64, 32, 32)
         private const val MOST_SIDE = 2048
         private const val LEAST_SIDE = 16
 
@@ -63,6 +63,20 @@ public class EnvironmentMap private constructor(
             val rows = LightTree.rows(height)
             return LightTree.bytes(rows) + (SIDES.map { minOf(it, rows) } + side(width)).sumOf(Octahedron::bytes)
         }
+
+        /**
+         * Returns the perceptual roughness of a [level] from 1 on, 0.089 to 1. A lobe is narrow and bright by the
+         * fourth power of the roughness, so narrow lobes are closer together: a small sun between two levels is at most
+         * 1.22 times too bright.
+         */
+        private fun roughness(level: Int): Double = (level + 2.5) / (43.0 - 3.5 * level)
+
+        /** The roughness of the first level that is blurred. */
+        private const val FINEST = 3.5f / 39.5f
+
+        /** Returns the level of a perceptual [roughness], with the part of the way to the next. */
+        private fun place(roughness: Float): Float =
+            if (roughness < FINEST) roughness / FINEST else (43f * roughness - 2.5f) / (1f + 3.5f * roughness)
 
         /** The first level has as many texels a radian as the picture, where they are the fewest. */
         private fun side(width: Int) = (0.75 * width).toInt().coerceIn(LEAST_SIDE, MOST_SIDE)
@@ -95,7 +109,7 @@ public class EnvironmentMap private constructor(
             val tree = LightTree(panorama)
             val sharp = filled(side(width), options) { panorama::read }
             val blurred = SIDES.mapIndexed { i, most ->
-                val roughness = (i + 1.0) / SIDES.size
+                val roughness = roughness(i + 1)
                 filled(minOf(most, tree.rows), options) { tree.Lobe(roughness * roughness)::read }
             }
             return EnvironmentMap(width, height, (listOf(sharp) + blurred).toTypedArray(), tree.irradiance())

@@ -147,8 +147,8 @@ public class Lobes @JvmOverloads constructor(
 
     /**
      * Coloured glass: `KHR_materials_transmission` and `KHR_materials_volume`, without refraction. What is behind is
-     * shown as behind a translucent surface: less bright, as the mean of red, green and blue that pass. The colour of
-     * the glass comes from the light of the surroundings.
+     * shown as behind a translucent surface: less bright, by a factor between the least and the mean of red, green and
+     * blue that pass. The colour of the glass comes from the light of the surroundings.
      *
      * @property strength the part of the light that is not reflected and passes, 0..1
      * @property strengthMap its red multiplies [strength]; or null

@@ -101,7 +101,7 @@ class LobeLightingTest {
         assertFalse(clear.withAlphaMode(AlphaMode.OPAQUE).isTranslucent)
 
         // Half of the thickness after which the colour is left: its square root passes, but for what is reflected
-        val passed = (Math.sqrt(0.5) + 0.5 + 1.0) / 3
+        val passed = ((Math.sqrt(0.5) + 0.5 + 1.0) / 3 + 0.5) / 2
         assertEquals(1 - passed * 0.955, seen(clear).alpha.toDouble(), 0.01)
         val tinted = seen(clear, Light.Ambient(Rgba.WHITE))
         val light = listOf(Math.sqrt(0.5), 0.5, 1.0).map { Math.max(it - passed, 0.0) * 0.955 + 0.045 }

@@ -87,20 +87,29 @@ class EnvironmentMapTest {
 
         // The sun is around the corner of four texels
         val toSun = toward(Math.PI * 33 / 128, 2 * Math.PI * (86.0 / 256 - 0.5))
-        for ((eighths, most) in listOf(2 to 0.05, 3 to 0.01, 4 to 0.01, 6 to 0.015, 8 to 0.015)) {
-            val roughness = eighths / 8.0
+        fun roughness(level: Double) = (level + 2.5) / (43 - 3.5 * level)
+        for ((level, most) in listOf(3 to 0.05, 5 to 0.02, 6 to 0.015, 8 to 0.015, 9 to 0.015)) {
+            val roughness = roughness(level.toDouble())
             for (axis in sphere(4) + toSun) {
                 val exact = blurred(picture, width, axis, roughness * roughness)
                 assertEquals(exact, seen(map, axis, roughness)[1].toDouble(), most * exact) { "$roughness, $axis" }
             }
         }
 
-        // Between the eighths, it is interpolated
-        for (axis in sphere(50) + toSun) {
-            for (eighth in 0 until 8) {
-                val (first, second) = listOf(eighth, eighth + 1).map { seen(map, axis, it / 8.0)[1] }
-                assertEquals(0.75f * first + 0.25f * second, seen(map, axis, (eighth + 0.25) / 8)[1], 1e-5f * first)
+        // Between the levels, it is interpolated, and a sun is little brighter than it should be
+        for (level in 1 until 9) {
+            for (axis in sphere(50) + toSun) {
+                val (first, second) = listOf(level, level + 1).map { seen(map, axis, roughness(it.toDouble()))[1] }
+                val between = seen(map, axis, roughness(level + 0.25))[1]
+                assertEquals(0.75f * first + 0.25f * second, between, 1e-5f * first)
             }
+            val roughness = roughness(maxOf(level, 2) + 0.5)
+            val ratio = seen(map, toSun, roughness)[1] / blurred(picture, width, toSun, roughness * roughness)
+            assertEquals(1.0, ratio, 0.2) { "$roughness" }
+        }
+        for (axis in sphere(50)) {
+            val (first, second) = listOf(0.0, roughness(1.0)).map { seen(map, axis, it)[1] }
+            assertEquals((first + second) / 2, seen(map, axis, roughness(1.0) / 2)[1], 1e-5f * first)
         }
     }
 
