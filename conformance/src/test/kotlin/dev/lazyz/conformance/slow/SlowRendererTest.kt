@@ -134,7 +134,11 @@ class SlowRendererTest {
             Lobes(Lobes.Specular(0.7f, Rgba.WHITE, 2.2f)), Lobes(clearcoat = Lobes.Clearcoat(0.8f, 0.3f)),
             Lobes(sheen = Lobes.Sheen(Rgba(0.9f, 0.4f, 0.3f), 0.5f)),
         )
-        for (lobe in lobes) compare("$lobe", lit(balls(lobe), sun), 1, Tolerance(0.3, 1.2))
+        for (lobe in lobes) {
+            compare("$lobe", lit(balls(lobe), sun), 1, Tolerance(0.3, 1.2))
+            val plastic = Material(BROWN).withMetallicRoughness(MetallicRoughness(0f, 0.5f, null, lobe))
+            compare("large, $lobe", lit(listOf(ball(0f, 0f, 1.7f, plastic)), sun), 1, Tolerance(0.3, 1.2))
+        }
         val colored = balls(Lobes(Lobes.Specular(0.7f, Rgba(1f, 0.4f, 0.2f), 2.2f)))
         compare("coloured", lit(listOf(0, 3, 6).map(colored::get), sun), 1, Tolerance(3.0, 6.0))
     }
