@@ -9,13 +9,16 @@ import java.util.Random
 
 /**
  * Frames of a mesh of a few small triangles, in different places of rasters of several tiles, each of another height.
- * What a renderer keeps of one of them has the wrong size, or the wrong content, for the next.
+ * What a renderer keeps of one of them has the wrong size, or the wrong content, for the next. The last two are of one
+ * height, and have the same vertices, but not the same number of triangles.
  */
 internal fun tallMeshes(salt: Long): List<FrameCase> {
     val random = Random(salt)
     val (first, second) = List(FRAMES) { tallMesh(FIRST_HEIGHT + HIGHER * it, random) }
         .partition { random.nextBoolean() }
-    return first + second
+    val raster = Raster(WIDTH, FIRST_HEIGHT)
+    val vertices = triangles(raster, random) { WIDTH / 2 }.flatten().toFloatArray()
+    return first + second + listOf(TRIANGLES / 2, TRIANGLES).map { screenMesh(raster, vertices, it) }
 }
 
 private const val FRAMES = 10
@@ -30,14 +33,14 @@ private fun tallMesh(height: Int, random: Random): FrameCase {
 }
 
 /** A mesh of a few triangles anywhere in [raster], each of a [size]. */
-private fun scattered(raster: Raster, random: Random, size: () -> Int): FrameCase {
-    val corners = List(TRIANGLES) {
-        val side = size()
-        val x = random.nextInt(raster.width - side + 1)
-        val y = random.nextInt(raster.height - side + 1)
-        triangle(x, y, side, random.nextInt(DEPTHS) / DEPTHS.toFloat())
-    }
-    return screenMesh(raster, corners)
+private fun scattered(raster: Raster, random: Random, size: () -> Int): FrameCase =
+    screenMesh(raster, triangles(raster, random, size))
+
+private fun triangles(raster: Raster, random: Random, size: () -> Int) = List(TRIANGLES) {
+    val side = size()
+    val x = random.nextInt(raster.width - side + 1)
+    val y = random.nextInt(raster.height - side + 1)
+    triangle(x, y, side, random.nextInt(DEPTHS) / DEPTHS.toFloat())
 }
 
 /**

@@ -2,7 +2,9 @@ package dev.lazyz.conformance.probes
 
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
+import dev.lazyz.conformance.cases.Coded
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.code
 import dev.lazyz.spi.BatchShader
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.FragmentBatch
@@ -20,15 +22,21 @@ import dev.lazyz.world.surface.Surface
 import java.util.Random
 import org.joml.Vector3d
 
-// Meshes that are given on the screen, on rasters of several tiles
+// Meshes, most of them given on the screen, on rasters of several tiles
 
 /** The frame of a mesh of triangles, each given by x, y and z of its corners: samples, and a part of the depths. */
-internal fun screenMesh(raster: Raster, triangles: List<List<Float>>): FrameCase {
-    val positions = triangles.flatten().toFloatArray()
-    val count = 3 * triangles.size
-    val scene = Scene.builder().add(Mesh(positions, IntArray(count) { it })).viewpoint(Camera.screen()).build()
-    val code = "Scene.builder().add(Mesh(floatArrayOf(${positions.joinToString { "${it}f" }}), " +
-        "IntArray($count) { it })).viewpoint(Camera.screen()).build().frame(${raster.width}, ${raster.height})"
+internal fun screenMesh(raster: Raster, triangles: List<List<Float>>): FrameCase =
+    screenMesh(raster, triangles.flatten().toFloatArray(), triangles.size)
+
+/** The frame of a mesh of the first [drawn] triangles whose corners are in [positions]. */
+internal fun screenMesh(raster: Raster, positions: FloatArray, drawn: Int): FrameCase =
+    meshCase(raster, positions, drawn, Coded(Camera.screen(), "Camera.screen()"))
+
+private fun meshCase(raster: Raster, positions: FloatArray, drawn: Int, camera: Coded<Camera>): FrameCase {
+    val count = 3 * drawn
+    val scene = Scene.builder().add(Mesh(positions, IntArray(count) { it })).viewpoint(camera.value).build()
+    val code = "Scene.builder().add(Mesh(${code(positions)}, IntArray($count) { it }))" +
+        ".viewpoint(${camera.code}).build().frame(${raster.width}, ${raster.height})"
     return FrameCase(scene.frame(raster), code, scene)
 }
 
@@ -52,6 +60,43 @@ internal fun closeToAWall(salt: Long): FrameCase {
     val edge = 4f * FEW
     val walls = listOf(listOf(-1f, -1f, wall, edge, -1f, wall, -1f, edge, wall))
     return screenMesh(Raster(FEW, FEW), (triangles + far + walls).shuffled(random))
+}
+
+/**
+ * A mesh of tilted sheets, mostly less than a unit of depth apart: the camera's near plane is so close to it that
+ * depths are coarse. Which sheet is in front somewhere, or equal, is not the same everywhere.
+ */
+internal fun withinAUnit(salt: Long): FrameCase {
+    val random = Random(salt)
+    val (tiltX, tiltY) = List(2) { random.nextFloat() - 0.5f }
+    val corners = List(SHEETS) {
+        val side = 0.5f + random.nextFloat()
+        val (x, y) = List(2) { random.nextFloat() - side / 2 }
+        val z = UNIT * random.nextInt(8) / 2
+        listOf(x to y, x + side to y, x to y + side).map { (x, y) -> listOf(x, y, z + tiltX * x + tiltY * y) }.flatten()
+    }
+    val eye = Vector3d(0.0, 0.0, 4.0)
+    val up = Vector3d(0.0, 1.0, 0.0)
+    val camera = Camera.perspective(eye, Vector3d(), up, ANGLE, TOO_NEAR, FAR_PLANE)
+    val code = "Camera.perspective(${code(eye)}, Vector3d(), ${code(up)}, $ANGLE, $TOO_NEAR, $FAR_PLANE)"
+    return meshCase(Raster(SHORT, SHORT), corners.flatten().toFloatArray(), SHEETS, Coded(camera, code))
+}
+
+/**
+ * A mesh of inclined triangles, and of slivers that are seen nearly edge-on between them: from the near to the far
+ * plane in less than four samples, so that each has the depth of its first vertex.
+ */
+internal fun slivers(salt: Long): FrameCase {
+    val random = Random(salt)
+    val inclined = List(SHEETS) {
+        List(3) { List(2) { 2 * SHORT * random.nextFloat() - SHORT / 2 } + random.nextFloat() }
+    }
+    val slivers = List(2 * SHEETS) {
+        val (x, y) = List(2) { SHORT * random.nextFloat() }
+        listOf(listOf(x, y, 0f), listOf(x + 3, y, 1f), listOf(x, y + SHORT / 4, 0.5f * random.nextFloat()))
+            .shuffled(random)
+    }
+    return screenMesh(Raster(SHORT, SHORT), (inclined + slivers).map { it.flatten() }.shuffled(random))
 }
 
 /** A mesh of triangles of a few samples each over several tiles, most of which have no other triangles. */
@@ -92,15 +137,38 @@ internal fun edgesAtTheEndsOfTiles(salt: Long): List<FrameCase> {
         val at = (if (random.nextBoolean()) end or 63 else end) + 0.5f
         val isColumn = random.nextBoolean()
         val isAfter = random.nextInt(4) == 0
-        val tip = if (isAfter) at + FAR_AWAY else at - FAR_AWAY
-        val middle = SIDE * random.nextFloat()
-        val near = random.nextFloat() / 2
-        val shape = listOf(at to middle - FAR_AWAY, at to middle + FAR_AWAY, tip to middle)
-        val front = shape.flatMap { (along, across) ->
-            if (isColumn) listOf(along, across, near) else listOf(across, along, near)
-        }
+        val front = halfPlane(at, isAfter, isColumn, middle = SIDE * random.nextFloat(), random.nextFloat() / 2)
         val behind = listOf(-1f, -1f, 0.75f, 4f * SIDE, -1f, 0.75f, -1f, 4f * SIDE, 0.75f)
         screenMesh(Raster(SIDE, SIDE), listOf(front, behind).shuffled(random))
+    }
+}
+
+/** A triangle at the depth [z] that covers all columns, or rows, after or before a place on the raster. */
+private fun halfPlane(at: Float, isAfter: Boolean, isColumn: Boolean, middle: Float, z: Float): List<Float> {
+    val tip = if (isAfter) at + FAR_AWAY else at - FAR_AWAY
+    return listOf(at to middle - FAR_AWAY, at to middle + FAR_AWAY, tip to middle).flatMap { (along, across) ->
+        if (isColumn) listOf(along, across, z) else listOf(across, along, z)
+    }
+}
+
+/** Triangles of many sizes behind two nearer ones, which leave a gap of a few columns, or rows, between them. */
+internal fun seenThroughGaps(salt: Long): List<FrameCase> {
+    val random = Random(salt)
+    return List(EDGES) {
+        val gap = random.nextInt(SIDE - TILE)
+        val end = gap + 1 + random.nextInt(TILE / 4)
+        val isColumn = random.nextBoolean()
+        val sides = listOf(false to gap, true to end).map { (isAfter, at) ->
+            halfPlane(at.toFloat(), isAfter, isColumn, SIDE / 2f, random.nextFloat() / 4)
+        }
+        val behind = List(BEHIND) {
+            val size = 1 + random.nextInt(SIDE)
+            val along = maxOf(0, gap - random.nextInt(size))
+            val across = random.nextInt(SIDE)
+            val z = 0.5f + random.nextFloat() / 2
+            if (isColumn) triangle(along, across, size, z) else triangle(across, along, size, z)
+        }
+        screenMesh(Raster(SIDE, SIDE), (sides + behind).shuffled(random))
     }
 }
 
@@ -219,7 +287,17 @@ private const val SIDE = 200
 private const val FEW = 136
 private const val CLOSE = 80
 private const val FAR = 6
+
+/** The sheets, the samples on which they are, and about a unit of depth, in the world of their camera. */
+private const val SHEETS = 16
+private const val SHORT = 40
+private const val UNIT = 0.07f
+private const val ANGLE = 30.0
+private const val TOO_NEAR = 1e-7
+private const val FAR_PLANE = 100.0
+
 private const val EDGES = 16
+private const val BEHIND = 6
 private const val SPECKS = 60
 private const val SURFACES = 24
 

@@ -59,7 +59,8 @@ public sealed interface UseRules : RulesForOne {
     /** A renderer that renders frames of many sizes one after the other, by two threads, renders each correctly. */
     @Rule(
         intent = "What a renderer keeps for its next frame, such as arrays, has no effect on the picture.",
-        look = "Look for arrays that go back to a pool twice, or while they are still in use, and for old contents.",
+        look = "Look for arrays that go back to a pool twice, or while they are still in use, for old contents, and " +
+            "for what is kept of a mesh by some of its arrays.",
         about = [Symptom.AGAIN], tries = 3,
     )
     public fun rule_7_1_framesOfManySizesAreIndependent(@ForAll salt: Long) {

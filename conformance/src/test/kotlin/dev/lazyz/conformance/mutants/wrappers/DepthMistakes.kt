@@ -27,6 +27,10 @@ internal object DepthMistakes {
             RuleNames.order,
         ),
         Mistake(
+            ::rejectsByEnds, "a primitive is rejected if it is hidden in the tiles at the ends of its bounds",
+            RuleNames.covered,
+        ),
+        Mistake(
             ::rejectsByConvention, "rejects what is behind the background by the convention, whatever the depth test",
             RuleNames.tests, RuleNames.pairs,
         ),
@@ -35,6 +39,8 @@ internal object DepthMistakes {
         Mistake(::numbersTheExtended, "primitives whose bounds are empty have no number", RuleNames.index),
         Mistake(::throughFloat, "depth goes through a float", RuleNames.nearest, RuleNames.scenes),
         Mistake(::in24Bits, "depth has 24 bits", RuleNames.nearest, RuleNames.own),
+        Mistake(::middleOfSlivers, "what is seen edge-on is halfway to the far plane", RuleNames.wall),
+        Mistake(::ordersPlanes, "planes are ordered as if depths were not rounded", RuleNames.wall),
     )
 
     fun throughFloat() = primitives("depth-through-float") { At(it) { x, y -> it.depth(x, y).toFloat().toInt() } }
@@ -59,6 +65,19 @@ internal object DepthMistakes {
                 DepthTest.LESS, DepthTest.LESS_OR_EQUAL -> primitive.leastDepth <= depth
                 else -> primitive.greatestDepth >= depth
             }
+        }
+    }
+
+    /** Looks only at the tiles of 16 x 16 samples at the corners of a primitive's bounds. */
+    fun rejectsByEnds() = drawing("rejects-by-ends") { frame ->
+        val image = ZBufferRenderer().render(frame)
+        fun ends(start: Int, end: Int, most: Int) =
+            listOf(maxOf(start, 0), minOf(end, most) - 1).flatMap { (it and 15.inv())..minOf(it or 15, most - 1) }
+        frame.keeping { index ->
+            val primitive = frame.primitives[index]
+            val columns = ends(primitive.columnStart, primitive.columnEnd, image.width)
+            val rows = ends(primitive.rowStart, primitive.rowEnd, image.height)
+            rows.any { y -> columns.any { x -> image.depth[y * image.width + x] >= primitive.leastDepth } }
         }
     }
 
@@ -88,6 +107,26 @@ internal object DepthMistakes {
             }
             emit(shown, sink)
         }
+
+    /** The plane of a triangle seen edge-on is too steep for a form, and is taken to be halfway to the far plane. */
+    fun middleOfSlivers() = primitives("middle-of-slivers") { whole ->
+        val isSliver = whole.columnEnd - whole.columnStart in 1..3 && whole.rowEnd - whole.rowStart > 6
+        if (isSliver) At(whole) { _, _ -> Int.MAX_VALUE / 2 } else whole
+    }
+
+    /** At each sample, what the planes order before all others: ties of depth go to the nearer plane. */
+    fun ordersPlanes() = BrokenRenderer("orders-planes") { frame, sink ->
+        val alone = frame.primitives.indices.map { index -> ZBufferRenderer().render(frame.keeping { it == index }) }
+        val image = ZBufferRenderer().render(frame)
+        val nearest = IntArray(image.primitive.size) { at ->
+            fun plane(index: Int): Long {
+                val form = frame.primitives[index].depthForm ?: return alone[index].depth[at].toLong() shl 32
+                return form.at(frame.region.columnStart + at % frame.width, frame.region.rowStart + at / frame.width)
+            }
+            alone.indices.filter { alone[it].primitive[at] == it }.minByOrNull(::plane) ?: DepthTest.BACKGROUND
+        }
+        emit(Image(image.region, image.argb, image.depth, nearest, image.counters), sink)
+    }
 
     private fun Image.withDepths(change: (i: Int, depth: Int) -> Int) =
         Image(region, argb, IntArray(depth.size) { change(it, depth[it]) }, primitive, counters)

@@ -50,6 +50,10 @@ internal object ReuseMistakes {
             "arrays are made for the first frame of several bands, and not made longer for a later one",
             RuleNames.sizes,
         ),
+        Mistake(
+            ::drawsAsManyAsBefore, "what is kept of a mesh is found by its vertices, whatever its triangles are",
+            RuleNames.sizes,
+        ),
         Mistake(::countsALastGroup, "counts the primitives of the last group", RuleNames.counted),
         Mistake(
             ::countsWhatIsKeptAgain,
@@ -69,6 +73,17 @@ internal object ReuseMistakes {
             val image = ZBufferRenderer().render(frame)
             val kept = if (frame.height > BAND) most * frame.width else image.argb.size
             emit(image.with { place, value, empty -> if (place < kept) value else empty }, sink)
+        }
+    }
+
+    /** Draws at most as many triangles as the first frame of the size had that began with the same one. */
+    fun drawsAsManyAsBefore(): BrokenRenderer {
+        val known = HashMap<Any, Int>()
+        return BrokenRenderer("draws-as-many-as-before") { frame, sink ->
+            val first = frame.primitives.firstOrNull()
+            val key = listOf(frame.region, first?.columnStart, first?.rowStart, first?.leastDepth)
+            val kept = synchronized(known) { known.getOrPut(key) { frame.primitives.size } }
+            ZBufferRenderer().render(frame.keeping { it < kept }, sink)
         }
     }
 
