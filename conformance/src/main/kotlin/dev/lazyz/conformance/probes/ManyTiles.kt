@@ -5,12 +5,13 @@ import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.frames.screen.PolygonPiece
 import dev.lazyz.conformance.frames.screen.screenCase
 import dev.lazyz.geometry.FillRule
+import dev.lazyz.world.surface.Mesh
 import java.util.Random
 
 /**
  * Frames of a mesh of a few small triangles, in different places of rasters of several tiles, each of another height.
- * What a renderer keeps of one of them has the wrong size, or the wrong content, for the next. The last two are of one
- * height, and have the same vertices, but not the same number of triangles.
+ * What a renderer keeps of one of them has the wrong size, or the wrong content, for the next. The last four are of one
+ * height: two have the same vertices, but not the same number of triangles, and two the same mesh, one with another.
  */
 internal fun tallMeshes(salt: Long): List<FrameCase> {
     val random = Random(salt)
@@ -18,7 +19,12 @@ internal fun tallMeshes(salt: Long): List<FrameCase> {
         .partition { random.nextBoolean() }
     val raster = Raster(WIDTH, FIRST_HEIGHT)
     val vertices = triangles(raster, random) { WIDTH / 2 }.flatten().toFloatArray()
-    return first + second + listOf(TRIANGLES / 2, TRIANGLES).map { screenMesh(raster, vertices, it) }
+    val meshes = List(2) {
+        val positions = triangles(raster, random) { WIDTH / 2 }.flatten().toFloatArray()
+        Mesh(positions, IntArray(3 * TRIANGLES) { it })
+    }
+    return first + second + listOf(TRIANGLES / 2, TRIANGLES).map { screenMesh(raster, vertices, it) } +
+        listOf(1, 2).map { screenMeshes(raster, meshes.take(it)) }
 }
 
 private const val FRAMES = 10

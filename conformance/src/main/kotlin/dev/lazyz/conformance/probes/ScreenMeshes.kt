@@ -32,11 +32,18 @@ internal fun screenMesh(raster: Raster, triangles: List<List<Float>>): FrameCase
 internal fun screenMesh(raster: Raster, positions: FloatArray, drawn: Int): FrameCase =
     meshCase(raster, positions, drawn, Coded(Camera.screen(), "Camera.screen()"))
 
-private fun meshCase(raster: Raster, positions: FloatArray, drawn: Int, camera: Coded<Camera>): FrameCase {
-    val count = 3 * drawn
-    val scene = Scene.builder().add(Mesh(positions, IntArray(count) { it })).viewpoint(camera.value).build()
-    val code = "Scene.builder().add(Mesh(${code(positions)}, IntArray($count) { it }))" +
-        ".viewpoint(${camera.code}).build().frame(${raster.width}, ${raster.height})"
+/** The frame of [meshes], whose triangles have three positions each, in order. */
+internal fun screenMeshes(raster: Raster, meshes: List<Mesh>): FrameCase =
+    meshCase(raster, meshes, Coded(Camera.screen(), "Camera.screen()"))
+
+private fun meshCase(raster: Raster, positions: FloatArray, drawn: Int, camera: Coded<Camera>): FrameCase =
+    meshCase(raster, listOf(Mesh(positions, IntArray(3 * drawn) { it })), camera)
+
+private fun meshCase(raster: Raster, meshes: List<Mesh>, camera: Coded<Camera>): FrameCase {
+    val scene = Scene.builder().apply { meshes.forEach { add(it) } }.viewpoint(camera.value).build()
+    val code = meshes.joinToString("", "Scene.builder()") {
+        ".add(Mesh(${code(it.positions)}, IntArray(${it.triangles.size}) { it }))"
+    } + ".viewpoint(${camera.code}).build().frame(${raster.width}, ${raster.height})"
     return FrameCase(scene.frame(raster), code, scene)
 }
 
