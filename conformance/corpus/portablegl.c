@@ -7,16 +7,7 @@
 #define PORTABLEGL_IMPLEMENTATION
 #include "portablegl.h"
 
-struct header {
-    char magic[8];
-    int32_t coloring, perspective, vertices, indices;
-    float to_clip[16];
-};
-
-struct vertex {
-    float position[3];
-    uint8_t rgba[4];
-};
+#include "../../jmh/peers/triangles.h"
 
 static void vertex_shader(float *out, vec4 *in, Shader_Builtins *builtins, void *uniforms) {
     (void)uniforms;
@@ -30,19 +21,15 @@ static void fragment_shader(float *in, Shader_Builtins *builtins, void *uniforms
 }
 
 int main(int count, char **arguments) {
-    struct header header;
-    FILE *in = count == 12 ? fopen(arguments[1], "rb") : NULL;
-    if (!in || fread(&header, sizeof header, 1, in) != 1) return 2;
-    struct vertex *vertices = malloc(sizeof *vertices * header.vertices);
-    float *w = malloc(sizeof *w * header.vertices), *data = malloc(8 * sizeof *data * header.vertices);
-    if (fread(vertices, sizeof *vertices, header.vertices, in) != (size_t)header.vertices) return 2;
-    int has_w = header.perspective == 2;
-    if (has_w && fread(w, sizeof *w, header.vertices, in) != (size_t)header.vertices) return 2;
-    for (int i = 0; i < header.vertices; i++) {
-        float factor = has_w ? w[i] : 1;
-        for (int k = 0; k < 3; k++) data[8 * i + k] = vertices[i].position[k] * factor;
+    struct triangles triangles;
+    if (count != 12 || read_triangles(arguments[1], &triangles)) return 2;
+    int vertices = triangles.header.vertices;
+    float *data = malloc(8 * sizeof *data * vertices);
+    for (int i = 0; i < vertices; i++) {
+        float factor = triangles.w ? triangles.w[i] : 1;
+        for (int k = 0; k < 3; k++) data[8 * i + k] = triangles.vertices[i].position[k] * factor;
         data[8 * i + 3] = factor;
-        for (int k = 0; k < 4; k++) data[8 * i + 4 + k] = vertices[i].rgba[k] / 255.0f;
+        for (int k = 0; k < 4; k++) data[8 * i + 4 + k] = triangles.vertices[i].rgba[k] / 255.0f;
     }
 
     int side = atoi(arguments[3]);
@@ -53,11 +40,11 @@ int main(int count, char **arguments) {
     pix_t *pixels = NULL;
     if (!init_glContext(&context, &pixels, side, side)) return 1;
     GLenum smooth[] = {PGL_SMOOTH4}, flat[] = {PGL_FLAT4};
-    glUseProgram(pglCreateProgram(vertex_shader, fragment_shader, 4, header.coloring ? smooth : flat, GL_FALSE));
+    glUseProgram(pglCreateProgram(vertex_shader, fragment_shader, 4, triangles.header.coloring ? smooth : flat, GL_FALSE));
     GLuint buffer;
     glGenBuffers(1, &buffer);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, 8 * sizeof *data * header.vertices, data, GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, 8 * sizeof *data * vertices, data, GL_STATIC_DRAW);
     for (int i = 0; i < 2; i++) {
         glEnableVertexAttribArray(i);
         glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, 8 * sizeof *data, (void *)(4 * i * sizeof *data));
@@ -68,7 +55,7 @@ int main(int count, char **arguments) {
     glClearDepth(atof(arguments[11]));
     glClearColor(clear[0], clear[1], clear[2], clear[3]);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glDrawArrays(GL_TRIANGLES, 0, header.vertices);
+    glDrawArrays(GL_TRIANGLES, 0, vertices);
 
     /* Rows from the top */
     FILE *out = fopen(arguments[5], "wb");

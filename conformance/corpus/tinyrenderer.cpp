@@ -5,26 +5,15 @@
 //
 // Its samples are the lower left corners of pixels, so triangles are moved by half a pixel; it draws no back faces, so
 // their vertices are exchanged; and its near side is where z is large.
-#include <cstring>
-#include <iterator>
+#include <fstream>
 #include <string>
 #include <utility>
 
+#include "../../jmh/peers/triangles.h"
 #include "our_gl.h"
 
-struct Header {
-    char magic[8];
-    std::int32_t coloring, perspective, vertices, indices;
-    float to_clip[16];
-};
-
-struct Vertex {
-    float x, y, z;
-    std::uint8_t rgba[4];
-};
-
 struct Mixed : IShader {
-    const Vertex *corners[3];
+    const vertex *corners[3];
 
     std::pair<bool, TGAColor> fragment(const vec3 weights) const override {
         TGAColor color;
@@ -40,31 +29,26 @@ struct Mixed : IShader {
 int main(int count, char **arguments) {
     if (count != 6) return 2;
     const int side = std::stoi(arguments[3]);
-    std::ifstream in(arguments[1], std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    Header header;
-    std::memcpy(&header, bytes.data(), sizeof header);
-    std::vector<Vertex> vertices(header.vertices);
-    std::vector<float> w(header.vertices, 1);
-    const char *data = bytes.data() + sizeof header, *end = data + vertices.size() * sizeof(Vertex);
-    std::memcpy(vertices.data(), data, end - data);
-    if (header.perspective == 2) std::memcpy(w.data(), end, w.size() * sizeof(float));
+    triangles read;
+    if (read_triangles(arguments[1], &read)) return 2;
 
     init_viewport(0, 0, side, side);
     init_zbuffer(side, side);
     TGAImage picture(side, side, TGAImage::RGBA);
-    for (int first = 0; first < header.vertices; first += 3) {
+    for (int first = 0; first < read.header.vertices; first += 3) {
         Mixed shader;
         Triangle clip;
         int order[] = {first, first + 1, first + 2};
-        const Vertex &a = vertices[first], &b = vertices[first + 1], &c = vertices[first + 2];
-        if ((double(b.x) - a.x) * (double(c.y) - a.y) < (double(b.y) - a.y) * (double(c.x) - a.x)) {
+        const float *a = read.vertices[first].position, *b = read.vertices[first + 1].position;
+        const float *c = read.vertices[first + 2].position;
+        if ((double(b[0]) - a[0]) * (double(c[1]) - a[1]) < (double(b[1]) - a[1]) * (double(c[0]) - a[0])) {
             std::swap(order[1], order[2]);
         }
         for (int i : {0, 1, 2}) {
-            const Vertex &v = vertices[order[i]];
+            const vertex &v = read.vertices[order[i]];
+            const double w = read.w ? read.w[order[i]] : 1;
             shader.corners[i] = &v;
-            clip[i] = vec4{v.x - 1.0 / side, v.y - 1.0 / side, -double(v.z), 1} * double(w[order[i]]);
+            clip[i] = vec4{v.position[0] - 1.0 / side, v.position[1] - 1.0 / side, -double(v.position[2]), 1} * w;
         }
         rasterize(clip, shader, picture);
     }

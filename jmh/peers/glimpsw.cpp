@@ -5,6 +5,7 @@
 // A frame clears, and draws all triangles; colours stay linear. Triangles are put into meshlets, in their order, before
 // anything is measured. LP_NUM_THREADS is the number of threads. Times, --picture and the file are those of llvmpipe.c.
 #include "Rasterizer.h"
+#include "triangles.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,26 +15,6 @@
 #include <string>
 #include <vector>
 
-
-enum { FLAT, SMOOTH, ROUNDS, LIT };
-
-struct Vertex {
-    float position[3];
-    uint8_t rgba[4];
-};
-
-struct Header {
-    char magic[8];
-    int32_t coloring, perspective, vertices, indices;
-    float toClip[16];
-};
-
-struct Light {
-    float eye[3], eyeIsPoint, ambient[3];
-    struct {
-        float direction[3], color[3];
-    } lights[2];
-};
 
 // Vertices and triangles, as GLimpSW takes them; colours and normals of each vertex
 struct Meshlet {
@@ -45,38 +26,26 @@ struct Meshlet {
 
 struct Scene {
     glm::mat4 toClip;
+    int coloring;
     std::vector<Meshlet> meshlets;
-    Light light;
+    light lights;
 };
-
-static Header header;
 
 [[noreturn]] static void fail(const char* what) {
     fprintf(stderr, "glimpsw: %s\n", what);
     exit(1);
 }
 
-template<typename T>
-static std::vector<T> read(FILE* in, size_t count) {
-    std::vector<T> all(count);
-    if (fread(all.data(), sizeof(T), count, in) != count) fail("the file of triangles is too short");
-    return all;
-}
-
 static Scene readScene(const char* file) {
-    FILE* in = fopen(file, "rb");
-    if (!in) fail("the file of triangles cannot be read");
-    header = read<Header>(in, 1)[0];
-    if (memcmp(header.magic, "LZTRI001", 8)) fail("not a file of triangles");
+    triangles read;
+    if (const char* problem = read_triangles(file, &read)) fail(problem);
+    const header& header = read.header;
     if (header.coloring == ROUNDS) fail("no shader for the rounds");
-    auto vertices = read<Vertex>(in, header.vertices);
-    auto indices = read<uint32_t>(in, header.indices);
-    auto normals = read<float>(in, header.coloring == LIT ? 3 * header.vertices : 0);
     Scene scene;
-    if (header.coloring == LIT) scene.light = read<Light>(in, 1)[0];
-    fclose(in);
+    scene.coloring = header.coloring;
+    scene.lights = read.light;
     // From -w ... w, least first, to 0 ... w, greatest first
-    memcpy(&scene.toClip, header.toClip, sizeof header.toClip);
+    memcpy(&scene.toClip, header.to_clip, sizeof header.to_clip);
     for (int column = 0; column < 4; column++) {
         scene.toClip[column][2] = 0.5f * (scene.toClip[column][3] - scene.toClip[column][2]);
     }
@@ -87,8 +56,8 @@ static Scene readScene(const char* file) {
         uint32_t triangle[3];
         int added = 0;
         for (int i = 0; i < 3; i++) {
-            triangle[i] = header.indices ? indices[first + i] : uint32_t(first + i);
-            added += scene.meshlets.empty() || places[triangle[i]] < 0;
+            triangle[i] = header.indices ? read.indices[first + i] : uint32_t(first + i);
+            added += places[triangle[i]] < 0;
         }
         if (scene.meshlets.empty() || scene.meshlets.back().vertices + added > 64 ||
             scene.meshlets.back().triangles == 127) {
@@ -104,9 +73,9 @@ static Scene readScene(const char* file) {
                 places[vertex] = int(place);
                 used.push_back(vertex);
                 for (int axis = 0; axis < 3; axis++) {
-                    meshlet.positions[axis][place] = vertices[vertex].position[axis];
-                    meshlet.colors[axis][place] = vertices[vertex].rgba[axis] / 255.0f;
-                    if (header.coloring == LIT) meshlet.normals[axis][place] = normals[3 * vertex + axis];
+                    meshlet.positions[axis][place] = read.vertices[vertex].position[axis];
+                    meshlet.colors[axis][place] = read.vertices[vertex].rgba[axis] / 255.0f;
+                    if (read.normals) meshlet.normals[axis][place] = read.normals[vertex][axis];
                 }
             }
             meshlet.indices[i][meshlet.triangles] = uint8_t(places[vertex]);
@@ -147,12 +116,12 @@ static v_float3 normalized(v_float3 a) {
 static v_float3 lit(const Scene& scene, const Meshlet& mesh, const swr::FragmentVars& vars, v_float3 color) {
     v_float3 n = normalized(interpolate(mesh.normals, vars));
     v_float3 p = interpolate(mesh.positions, vars);
-    const float* eye = scene.light.eye;
-    float at = scene.light.eyeIsPoint;
+    const float* eye = scene.lights.eye;
+    float at = scene.lights.eye_is_point;
     v_float3 v = {eye[0] - at * p.x, eye[1] - at * p.y, eye[2] - at * p.z};
     v_float side = simd::dot(n, v) < 0.0f ? v_float(-1.0f) : v_float(1.0f);
-    v_float3 sum = {v_float(scene.light.ambient[0]), v_float(scene.light.ambient[1]), v_float(scene.light.ambient[2])};
-    for (const auto& light : scene.light.lights) {
+    v_float3 sum = {v_float(scene.lights.ambient[0]), v_float(scene.lights.ambient[1]), v_float(scene.lights.ambient[2])};
+    for (const auto& light : scene.lights.lights) {
         const float* d = light.direction;
         v_float cosine = simd::max(-side * (n.x * d[0] + n.y * d[1] + n.z * d[2]), v_float(0.0f));
         sum.x += cosine * light.color[0];
@@ -196,8 +165,8 @@ static void shadePixels(const Scene& scene, swr::Framebuffer& fb, swr::FragmentV
 }
 
 template<bool isSrgb>
-static swr::ShaderDispatchTable shaders() {
-    switch (header.coloring) {
+static swr::ShaderDispatchTable shaders(int coloring) {
+    switch (coloring) {
     case FLAT: return swr::GetDispatchTable<&shadeMeshlet, &shadePixels<FLAT, isSrgb>>();
     case SMOOTH: return swr::GetDispatchTable<&shadeMeshlet, &shadePixels<SMOOTH, isSrgb>>();
     default: return swr::GetDispatchTable<&shadeMeshlet, &shadePixels<LIT, isSrgb>>();
@@ -232,7 +201,7 @@ int main(int count, char** arguments) {
     const char* threads = getenv("LP_NUM_THREADS");
     swr::Rasterizer rasterizer(threads ? uint32_t(atoi(threads)) : 1);
     auto target = swr::CreateFramebuffer(side, side);
-    auto table = picture.empty() ? shaders<false>() : shaders<true>();
+    auto table = picture.empty() ? shaders<false>(scene.coloring) : shaders<true>(scene.coloring);
     auto frame = [&] {
         double start = now();
         target->Clear(0, 0);

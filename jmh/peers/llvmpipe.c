@@ -20,34 +20,11 @@
 #include <EGL/eglext.h>
 #include <GL/gl.h>
 #include <GL/glext.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
-enum { FLAT, SMOOTH, ROUNDS, LIT };
-enum { LIGHTS = 2 };
+#include "triangles.h"
+
 enum { LEAST_FRAMES = 5, MOST_FRAMES = 65536 };
-
-struct vertex {
-    float position[3];
-    uint8_t rgba[4];
-};
-
-struct header {
-    char magic[8];
-    int32_t coloring, perspective, vertices, indices;
-    float to_clip[16];
-};
-
-/* Of lit triangles: the eye, or if eye_is_point is 0 the direction to it; lights, with the direction of travel. */
-struct light {
-    float eye[3], eye_is_point, ambient[3];
-    struct {
-        float direction[3], color[3];
-    } lights[LIGHTS];
-};
 
 struct options {
     const char *file, *picture, *depth_test;
@@ -57,11 +34,7 @@ struct options {
     double warm_up, measure;
 };
 
-static struct header header;
-static struct vertex *vertices;
-static uint32_t *indices;
-static float (*normals)[3], *weights;
-static struct light light;
+static struct triangles triangles;
 static struct options options = {.side = 1024, .samples = 1, .warm_up = 1.5, .measure = 4,
                                  .depth_test = "less", .background_depth = 1};
 static GLuint target, resolved, ids, program, id_program, resolve_program;
@@ -141,11 +114,11 @@ static const char *RESOLVE_SHADER =
     " color = RESULT; }\n";
 
 static GLuint shader(GLenum stage, const char *text) {
-    const char *varying = header.coloring == FLAT ? "flat" : header.perspective ? "smooth" : "noperspective";
+    const char *varying = triangles.header.coloring == FLAT ? "flat" : triangles.header.perspective ? "smooth" : "noperspective";
     char prologue[256];
     snprintf(prologue, sizeof prologue,
              "#version 330 core\n#define VARYING %s\n#define RESULT %s\n#define LIGHTS %d\n#define WEIGHTED %s\n",
-             varying, header.coloring == ROUNDS ? "rounds(c.rgb)" : "c", LIGHTS, weights ? "* w" : "");
+             varying, triangles.header.coloring == ROUNDS ? "rounds(c.rgb)" : "c", LIGHTS, triangles.w ? "* w" : "");
     const char *parts[] = {prologue, text};
     GLuint name = glCreateShader(stage);
     glShaderSource(name, 2, parts, NULL);
@@ -170,7 +143,7 @@ static GLuint link_program(const char *vertex_text, const char *fragment_text) {
     if (!linked) fail("a program does not link");
     glUseProgram(name);
     GLint matrix = glGetUniformLocation(name, "to_clip");
-    if (matrix >= 0) glUniformMatrix4fv(matrix, 1, GL_FALSE, header.to_clip);
+    if (matrix >= 0) glUniformMatrix4fv(matrix, 1, GL_FALSE, triangles.header.to_clip);
     return name;
 }
 
@@ -178,34 +151,6 @@ static void *allocate(size_t size) {
     void *memory = malloc(size ? size : 1);
     if (!memory) fail("out of memory");
     return memory;
-}
-
-static void read_triangles(void) {
-    FILE *in = fopen(options.file, "rb");
-    if (!in) fail("the file of triangles cannot be read");
-    if (fread(&header, sizeof header, 1, in) != 1 || memcmp(header.magic, "LZTRI001", 8)) {
-        fail("not a file of triangles");
-    }
-    vertices = allocate(sizeof *vertices * header.vertices);
-    indices = allocate(sizeof *indices * header.indices);
-    if (fread(vertices, sizeof *vertices, header.vertices, in) != (size_t)header.vertices ||
-        fread(indices, sizeof *indices, header.indices, in) != (size_t)header.indices) {
-        fail("the file of triangles is too short");
-    }
-    if (header.coloring == LIT) {
-        normals = allocate(sizeof *normals * header.vertices);
-        if (fread(normals, sizeof *normals, header.vertices, in) != (size_t)header.vertices ||
-            fread(&light, sizeof light, 1, in) != 1) {
-            fail("the file of triangles is too short");
-        }
-    }
-    if (header.perspective == 2) {
-        weights = allocate(sizeof *weights * header.vertices);
-        if (fread(weights, sizeof *weights, header.vertices, in) != (size_t)header.vertices) {
-            fail("the file of triangles is too short");
-        }
-    }
-    fclose(in);
 }
 
 static void create_context(void) {
@@ -234,26 +179,26 @@ static void upload_triangles(void) {
     glBindVertexArray(names[0]);
     glGenBuffers(4, &names[1]);
     glBindBuffer(GL_ARRAY_BUFFER, names[1]);
-    glBufferData(GL_ARRAY_BUFFER, sizeof *vertices * header.vertices, vertices, GL_STATIC_DRAW);
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof *vertices, NULL);
-    glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof *vertices, (void *)sizeof(float[3]));
+    glBufferData(GL_ARRAY_BUFFER, sizeof *triangles.vertices * triangles.header.vertices, triangles.vertices, GL_STATIC_DRAW);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof *triangles.vertices, NULL);
+    glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof *triangles.vertices, (void *)sizeof(float[3]));
     glEnableVertexAttribArray(0);
     glEnableVertexAttribArray(1);
-    if (normals) {
+    if (triangles.normals) {
         glBindBuffer(GL_ARRAY_BUFFER, names[3]);
-        glBufferData(GL_ARRAY_BUFFER, sizeof *normals * header.vertices, normals, GL_STATIC_DRAW);
+        glBufferData(GL_ARRAY_BUFFER, sizeof *triangles.normals * triangles.header.vertices, triangles.normals, GL_STATIC_DRAW);
         glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, 0, NULL);
         glEnableVertexAttribArray(2);
     }
-    if (weights) {
+    if (triangles.w) {
         glBindBuffer(GL_ARRAY_BUFFER, names[4]);
-        glBufferData(GL_ARRAY_BUFFER, sizeof *weights * header.vertices, weights, GL_STATIC_DRAW);
+        glBufferData(GL_ARRAY_BUFFER, sizeof *triangles.w * triangles.header.vertices, triangles.w, GL_STATIC_DRAW);
         glVertexAttribPointer(3, 1, GL_FLOAT, GL_FALSE, 0, NULL);
         glEnableVertexAttribArray(3);
     }
-    if (header.indices) {
+    if (triangles.header.indices) {
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, names[2]);
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof *indices * header.indices, indices, GL_STATIC_DRAW);
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof *triangles.indices * triangles.header.indices, triangles.indices, GL_STATIC_DRAW);
     }
 }
 
@@ -309,13 +254,13 @@ static void buffer_texture(int unit, GLenum format, size_t size, const void *dat
 
 /* Corners on the screen and their colours, triangle by triangle. */
 static void create_visibility(void) {
-    if (header.perspective) fail("--visibility is for scenes without perspective");
-    int count = header.indices ? header.indices : header.vertices;
+    if (triangles.header.perspective) fail("--visibility is for scenes without perspective");
+    int count = triangles.header.indices ? triangles.header.indices : triangles.header.vertices;
     float (*corners)[2] = allocate(sizeof *corners * count);
     uint8_t (*colors)[4] = allocate(sizeof *colors * count);
-    const float *m = header.to_clip;
+    const float *m = triangles.header.to_clip;
     for (int i = 0; i < count; i++) {
-        const struct vertex *v = &vertices[header.indices ? indices[i] : (uint32_t)i];
+        const struct vertex *v = &triangles.vertices[triangles.header.indices ? triangles.indices[i] : (uint32_t)i];
         for (int row = 0; row < 2; row++) {
             corners[i][row] = m[row] * v->position[0] + m[4 + row] * v->position[1] + m[8 + row] * v->position[2] +
                               m[12 + row];
@@ -334,23 +279,23 @@ static void create_visibility(void) {
 }
 
 static void set_light(void) {
-    glUniform4f(glGetUniformLocation(program, "eye"), light.eye[0], light.eye[1], light.eye[2], light.eye_is_point);
-    glUniform3fv(glGetUniformLocation(program, "ambient"), 1, light.ambient);
+    glUniform4f(glGetUniformLocation(program, "eye"), triangles.light.eye[0], triangles.light.eye[1], triangles.light.eye[2], triangles.light.eye_is_point);
+    glUniform3fv(glGetUniformLocation(program, "ambient"), 1, triangles.light.ambient);
     for (int i = 0; i < LIGHTS; i++) {
         char name[32];
         snprintf(name, sizeof name, "directions[%d]", i);
-        glUniform3fv(glGetUniformLocation(program, name), 1, light.lights[i].direction);
+        glUniform3fv(glGetUniformLocation(program, name), 1, triangles.light.lights[i].direction);
         snprintf(name, sizeof name, "colors[%d]", i);
-        glUniform3fv(glGetUniformLocation(program, name), 1, light.lights[i].color);
+        glUniform3fv(glGetUniformLocation(program, name), 1, triangles.light.lights[i].color);
     }
 }
 
 static void draw_triangles(GLuint with) {
     glUseProgram(with);
-    if (header.indices) {
-        glDrawElements(GL_TRIANGLES, header.indices, GL_UNSIGNED_INT, NULL);
+    if (triangles.header.indices) {
+        glDrawElements(GL_TRIANGLES, triangles.header.indices, GL_UNSIGNED_INT, NULL);
     } else {
-        glDrawArrays(GL_TRIANGLES, 0, header.vertices);
+        glDrawArrays(GL_TRIANGLES, 0, triangles.header.vertices);
     }
 }
 
@@ -466,15 +411,16 @@ static void read_options(int count, char **arguments) {
 
 int main(int count, char **arguments) {
     read_options(count, arguments);
-    read_triangles();
+    const char *problem = read_triangles(options.file, &triangles);
+    if (problem) fail(problem);
     create_context();
     upload_triangles();
     create_targets();
-    if (header.coloring == LIT) {
+    if (triangles.header.coloring == LIT) {
         program = link_program(LIT_VERTEX_SHADER, LIT_SHADER);
         set_light();
     } else {
-        program = link_program(VERTEX_SHADER, header.coloring == ROUNDS ? ROUNDS_SHADER : COLOR_SHADER);
+        program = link_program(VERTEX_SHADER, triangles.header.coloring == ROUNDS ? ROUNDS_SHADER : COLOR_SHADER);
     }
     if (options.visibility) create_visibility();
     pixels = allocate(4 * (size_t)options.side * options.side);
