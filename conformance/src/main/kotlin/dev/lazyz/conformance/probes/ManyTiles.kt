@@ -5,7 +5,6 @@ import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.frames.screen.PolygonPiece
 import dev.lazyz.conformance.frames.screen.screenCase
 import dev.lazyz.geometry.FillRule
-import dev.lazyz.world.surface.Mesh
 import java.util.Random
 
 /**
@@ -18,11 +17,9 @@ internal fun tallMeshes(salt: Long): List<FrameCase> {
     val (first, second) = List(FRAMES) { tallMesh(FIRST_HEIGHT + HIGHER * it, random) }
         .partition { random.nextBoolean() }
     val raster = Raster(WIDTH, FIRST_HEIGHT)
-    val vertices = triangles(raster, random) { WIDTH / 2 }.flatten().toFloatArray()
-    val meshes = List(2) {
-        val positions = triangles(raster, random) { WIDTH / 2 }.flatten().toFloatArray()
-        Mesh(positions, IntArray(3 * TRIANGLES) { it })
-    }
+    fun positions() = triangles(raster, random) { WIDTH / 2 }.flatten().toFloatArray()
+    val vertices = positions()
+    val meshes = List(2) { inOrder(positions(), TRIANGLES) }
     return first + second + listOf(TRIANGLES / 2, TRIANGLES).map { screenMesh(raster, vertices, it) } +
         listOf(1, 2).map { screenMeshes(raster, meshes.take(it)) }
 }

@@ -30,14 +30,14 @@ internal fun screenMesh(raster: Raster, triangles: List<List<Float>>): FrameCase
 
 /** The frame of a mesh of the first [drawn] triangles whose corners are in [positions]. */
 internal fun screenMesh(raster: Raster, positions: FloatArray, drawn: Int): FrameCase =
-    meshCase(raster, positions, drawn, Coded(Camera.screen(), "Camera.screen()"))
+    screenMeshes(raster, listOf(inOrder(positions, drawn)))
 
-/** The frame of [meshes], whose triangles have three positions each, in order. */
+/** The frame of [meshes], each of which is [inOrder]. */
 internal fun screenMeshes(raster: Raster, meshes: List<Mesh>): FrameCase =
     meshCase(raster, meshes, Coded(Camera.screen(), "Camera.screen()"))
 
-private fun meshCase(raster: Raster, positions: FloatArray, drawn: Int, camera: Coded<Camera>): FrameCase =
-    meshCase(raster, listOf(Mesh(positions, IntArray(3 * drawn) { it })), camera)
+/** The mesh of the first [drawn] triangles whose corners, three each, are in [positions]. */
+internal fun inOrder(positions: FloatArray, drawn: Int): Mesh = Mesh(positions, IntArray(3 * drawn) { it })
 
 private fun meshCase(raster: Raster, meshes: List<Mesh>, camera: Coded<Camera>): FrameCase {
     val scene = Scene.builder().apply { meshes.forEach { add(it) } }.viewpoint(camera.value).build()
@@ -86,7 +86,8 @@ internal fun withinAUnit(salt: Long): FrameCase {
     val up = Vector3d(0.0, 1.0, 0.0)
     val camera = Camera.perspective(eye, Vector3d(), up, ANGLE, TOO_NEAR, FAR_PLANE)
     val code = "Camera.perspective(${code(eye)}, Vector3d(), ${code(up)}, $ANGLE, $TOO_NEAR, $FAR_PLANE)"
-    return meshCase(Raster(SHORT, SHORT), corners.flatten().toFloatArray(), SHEETS, Coded(camera, code))
+    val sheets = inOrder(corners.flatten().toFloatArray(), SHEETS)
+    return meshCase(Raster(SHORT, SHORT), listOf(sheets), Coded(camera, code))
 }
 
 /**
