@@ -26,6 +26,7 @@ import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.threads.Meeting
 import dev.lazyz.conformance.probes.threads.Where
 import dev.lazyz.conformance.probes.threads.atOnce
+import dev.lazyz.conformance.probes.threads.meshesAreIndependent
 import dev.lazyz.conformance.probes.threads.reportsInterrupt
 import dev.lazyz.conformance.probes.threads.rightInACrowd
 import dev.lazyz.conformance.probes.ways
@@ -34,7 +35,10 @@ import net.jqwik.api.ForAll
 
 /** Rules about threads, and about what the sink can rely on. Part of `RendererConformance`. */
 public sealed interface ThreadRules : RulesForOne {
-    /** Renderings in several threads that query spans and colours at the same time do not disturb each other. */
+    /**
+     * Renderings in several threads that query spans and colours at the same time, or draw meshes, do not disturb each
+     * other.
+     */
     @Rule(
         intent = "Several threads may use a renderer at once, at any moment of their renderings.",
         look = "Look for fragments, spans and rows in fields of the renderer, or in state shared by all renderings.",
@@ -49,12 +53,13 @@ public sealed interface ThreadRules : RulesForOne {
         }
         val selected = KindOfWork.SELECTED
         if (selected.isFor(renderer)) independent(renderer.configured(selected.options(threads = 1)), selected, salt)
+        meshesAreIndependent(renderer, salt)
     }
 
     private fun independent(way: Renderer, kind: KindOfWork, salt: Long) {
         val meeting = Meeting(Where.ANY_SAMPLE)
         val crowds = List(2) { Crowd(salt + it, Where.ANY_SAMPLE, meeting, kind) }
-        atOnce(crowds) { crowd -> rightInACrowd(way, crowd.quiet(), crowd) }
+        atOnce(crowds) { crowd -> rightInACrowd(way, crowd.quiet(), crowd.frame) }
     }
 
     /** The sink is called on the thread that called the renderer, and never by two calls at the same time. */

@@ -85,7 +85,7 @@ public sealed interface WorkerRules : RulesForOne {
             for (where in Where.entries) {
                 whileTheyMeet(where) { meeting, round ->
                     val crowd = Crowd(salt + round, where, meeting, kind)
-                    rightInACrowd(configured, crowd.quiet(), crowd)
+                    rightInACrowd(configured, crowd.quiet(), crowd.frame)
                 }
             }
         }

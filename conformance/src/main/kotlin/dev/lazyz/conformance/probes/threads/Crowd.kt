@@ -2,6 +2,7 @@ package dev.lazyz.conformance.probes.threads
 
 import dev.lazyz.Capability
 import dev.lazyz.Frame
+import dev.lazyz.Image
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
@@ -18,6 +19,8 @@ import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.judgement.withoutMemory
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.conformance.probes.closeToAWall
+import dev.lazyz.conformance.probes.withinAUnit
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.ShadingCursor
 import dev.lazyz.spi.Spans
@@ -125,16 +128,35 @@ internal fun whileTheyMeet(where: Where, block: (meeting: Meeting, round: Int) -
 /** One round is usually enough, except where tiles or a busy machine let threads meet less often. */
 private const val MOST_ROUNDS = 3
 
-/** Fails unless [renderer] renders [crowd] as the oracle renders [quiet]. */
-internal fun rightInACrowd(renderer: Renderer, quiet: FrameCase, crowd: Crowd) {
-    val expected = Recording.of(ReferenceRenderer(), quiet.frame).image
+/** Fails unless [renderer], which several threads use, renders [frame] as [expected], the oracle's picture of [quiet]. */
+internal fun rightInACrowd(
+    renderer: Renderer,
+    quiet: FrameCase,
+    frame: Frame = quiet.frame,
+    expected: Image = Recording.of(ReferenceRenderer(), quiet.frame).image,
+) {
     val actual = try {
-        Recording.of(renderer, crowd.frame).image
+        Recording.of(renderer, frame).image
     } catch (e: Exception) {
         throw Violation("${renderer.id}, when threads meet: threw $e", quiet, expected, cause = e)
     }
     val difference = difference(expected, actual) ?: return
     throw Violation("${renderer.id}, when threads meet: $difference\nin\n$quiet", quiet, expected, actual)
+}
+
+/**
+ * Fails unless [renderer] renders meshes correctly while another thread draws others: one whose triangles need every
+ * comparison of depths, and one whose triangles need none. Threads cannot be made to meet within a mesh, so each draws
+ * both again and again.
+ */
+internal fun meshesAreIndependent(renderer: Renderer, salt: Long) {
+    val cases = listOf(withinAUnit(salt), closeToAWall(salt))
+    val expected = cases.associateWith { Recording.of(ReferenceRenderer(), it.frame).image }
+    atOnce(listOf(cases, cases.reversed())) { own ->
+        repeat(ROUNDS_OF_MESHES) {
+            for (case in own) rightInACrowd(renderer, case, expected = expected.getValue(case))
+        }
+    }
 }
 
 /** Fails unless [renderer], with four threads, counts what happens in [crowd], and the same as one thread. */
@@ -182,6 +204,7 @@ private class Stepping(private val whole: Primitive) : Primitive by whole {
 private const val WIDTH = 256
 private const val HEIGHT = 249
 private const val RENDERINGS = 100
+private const val ROUNDS_OF_MESHES = 20
 
 private fun miscounted(renderer: Renderer, quiet: FrameCase, what: String): Nothing {
     val right = Recording.of(ReferenceRenderer(), quiet.frame).image

@@ -41,6 +41,9 @@ internal object ThreadMistakes {
         ),
         Mistake(::keepsAFragment, "the fragment is in a field, for all renderings", RuleNames.meets),
         Mistake(::keepsSpans, "the spans are in a field, for all renderings", RuleNames.meets),
+        Mistake(
+            ::keepsDepthsOfPlanes, "the depths of planes are in a field, for all renderings", RuleNames.meets,
+        ),
         Mistake(::callsFromAThread, "the sink is called by a thread of the renderer's own", RuleNames.caller),
         Mistake(::callsAtOnce, "several threads call the sink, each with its row", RuleNames.caller),
         Mistake(
@@ -136,6 +139,20 @@ internal object ThreadMistakes {
     private fun keepsSpans(): BrokenRenderer {
         val spans = Spans()
         return crew("keeps-spans", 1) { Tools(spans = { spans }) }
+    }
+
+    /** A first pass finds depths, and a second one colours. Threads do not meet in planes, such as those of meshes. */
+    private fun keepsDepthsOfPlanes(): BrokenRenderer {
+        val depths = IntArray(1 shl 16)
+        return BrokenRenderer("keeps-depths-of-planes") { frame, sink ->
+            val isKept = frame.region.size <= depths.size && frame.primitives.all { it.depthForm != null }
+            if (isKept) ZBufferRenderer().render(frame).depth.copyInto(depths)
+            ZBufferRenderer().render(frame) { y, argb, depth, primitive ->
+                val at = (y - frame.region.rowStart) * frame.width
+                if (isKept) depths.copyInto(depth, 0, at, at + frame.width)
+                sink.row(y, argb, depth, primitive)
+            }
+        }
     }
 
     private fun callsFromAThread() = BrokenRenderer("calls-from-a-thread") { frame, sink ->
