@@ -86,8 +86,8 @@ internal object HeapLayout {
      */
     const val SHARED_VERTICES: Long = 2 * HEADER + 48 + 24 + 208
 
-    /** A sample of a tile: key, end of its layers, blocks; its weight, and a quarter of the sums of its pixel. */
-    const val TILE_SAMPLE: Long = 30
+    /** A sample of a tile: key, end of its layers, blocks, and a quarter of the sums of its pixel. */
+    const val TILE_SAMPLE: Long = 26
 
     /** A triangle in a tile: 12 bytes as it is found, 8 in its bin, up to an eighth more; 16 while it is drawn. */
     const val TILE_TRIANGLE: Long = 38

@@ -83,8 +83,8 @@ internal class PlanarPrimitive(
         mix(fragment, fields, forms.atGrid0(x, y), forms.atGrid1(x, y), forms.atGrid2(x, y))
     }
 
-    /** Returns where this triangle is shaded in the pixel of a sample that it covers, see [ShadingPoints.find]. */
-    fun shadingPoint(points: ShadingPoints, x: Int, y: Int): Int = points.find(edgeForms(), x, y)
+    /** Returns where this triangle is shaded in a pixel, see [ShadingPoints.find]. */
+    fun shadingPoint(points: ShadingPoints, left: Int, top: Int): Int = points.find(edgeForms(), left, top)
 
     override fun shadingCursor(x: Int, y: Int): ShadingCursor? =
         if (fields == 0) null else WeightCursor(edgeForms(), x, y)

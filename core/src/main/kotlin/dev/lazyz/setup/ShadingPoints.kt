@@ -35,15 +35,13 @@ internal class ShadingPoints(val side: Int, private val rate: ShadingRate) : Pri
     }
 
     /** Returns the first column of the pixel of column [x] or, with a row, the first row. */
-    fun first(x: Int): Int = x - Math.floorMod(x, side)
+    fun first(x: Int): Int = if (side and side - 1 == 0) x and -side else x - Math.floorMod(x, side)
 
     /**
-     * Returns the point at which a triangle with these edge functions is shaded in the pixel of sample ([x], [y]),
-     * which it covers. A sample is in the triangle if no edge function is negative.
+     * Returns the point at which a triangle with these edge functions is shaded in the pixel whose first sample is
+     * ([left], [top]). It covers some of the samples. A sample is in the triangle if no edge function is negative.
      */
-    fun find(edges: EdgeForms, x: Int, y: Int): Int {
-        val left = first(x)
-        val top = first(y)
+    fun find(edges: EdgeForms, left: Int, top: Int): Int {
         var first0 = edges.at0(left, top)
         var first1 = edges.at1(left, top)
         var first2 = edges.at2(left, top)
@@ -54,16 +52,17 @@ internal class ShadingPoints(val side: Int, private val rate: ShadingRate) : Pri
             var v0 = first0
             var v1 = first1
             var v2 = first2
+            val before = count
             for (column in 0 until side) {
                 // Without a branch, which could not be predicted
-                val inside = 1 - ((v0 or v1 or v2) ushr Long.SIZE_BITS - 1).toInt()
+                val inside = ((v0 or v1 or v2).inv() ushr Long.SIZE_BITS - 1).toInt()
                 count += inside
                 columns += inside * column
-                rows += inside * row
                 v0 += edges.e0dx
                 v1 += edges.e1dx
                 v2 += edges.e2dx
             }
+            rows += (count - before) * row
             first0 += edges.e0dy
             first1 += edges.e1dy
             first2 += edges.e2dy

@@ -2,6 +2,7 @@ package dev.lazyz.strategies.tiled.resolve
 
 import dev.lazyz.FrameContent
 import dev.lazyz.HeapLayout
+import dev.lazyz.PrimitiveBatch
 import dev.lazyz.setup.FaceStage
 import dev.lazyz.setup.PixelShadedPrimitive
 import dev.lazyz.setup.PlanarPrimitive
@@ -24,7 +25,12 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
 
     /** The set-up of the triangles of each batch, created on first use. */
     private val setUps = arrayOfNulls<FaceStage>(content.batches.size)
-    private var lastBatch = -1
+
+    /** The last batch that was looked up, its number, and its primitives. */
+    private var last: PrimitiveBatch? = null
+    private var lastNumber = -1
+    private var lastFirst = 0
+    private var lastCount = 0
     private val scratch = Fragment()
 
     /** Peak number of bytes held. */
@@ -77,16 +83,16 @@ internal class FaceCache(private val content: FrameContent, val isUsed: Boolean)
 
     /** Returns the number of a primitive's batch, or -1; in most cases it is the same as for the previous primitive. */
     fun batch(index: Int): Int {
-        if (lastBatch >= 0) {
-            val triangle = index - content.batches[lastBatch].first
-            if (triangle >= 0 && triangle < content.batches[lastBatch].count &&
-                content.batches[lastBatch].isDrawn(triangle)
-            ) {
-                return lastBatch
-            }
-        }
+        val triangle = index - lastFirst
+        if (triangle >= 0 && triangle < lastCount && last!!.isDrawn(triangle)) return lastNumber
         val number = content.batchNumber(index)
-        if (number >= 0) lastBatch = number
+        if (number >= 0) {
+            val batch = content.batches[number]
+            last = batch
+            lastNumber = number
+            lastFirst = batch.first
+            lastCount = batch.count
+        }
         return number
     }
 

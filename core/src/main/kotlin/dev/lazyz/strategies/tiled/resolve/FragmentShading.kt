@@ -306,9 +306,11 @@ internal class FragmentShading(
         var gridX = ScreenGrid.STEPS * x
         var gridY = ScreenGrid.STEPS * y
         if (isOnce) {
-            val point = points!!.find(face, x, y)
-            gridX = ScreenGrid.STEPS * points.first(x) + ShadingPoints.right(point)
-            gridY = ScreenGrid.STEPS * points.first(y) + ShadingPoints.down(point)
+            val left = points!!.first(x)
+            val top = points.first(y)
+            val point = points.find(face, left, top)
+            gridX = ScreenGrid.STEPS * left + ShadingPoints.right(point)
+            gridY = ScreenGrid.STEPS * top + ShadingPoints.down(point)
         }
         alone.place(0, gridX shr ScreenGrid.SHIFT, gridY shr ScreenGrid.SHIFT, 1)
         face.attributes(alone, 0, gridX, gridY, if (isOnce) points!!.side else 1)

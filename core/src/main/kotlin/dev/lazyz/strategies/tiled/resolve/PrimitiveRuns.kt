@@ -132,8 +132,19 @@ internal class PrimitiveRuns {
         /** Marks the start of a run of whole pixels, see [FragmentShading.addPixels]. */
         private const val PIXELS = 1 shl 2 * COLUMN_BITS
 
-        /** Returns the place of a sample of a tile. */
-        fun place(row: Int, column: Int): Int = row shl COLUMN_BITS or column
+        /** The number of samples of a place, less 1, is above the mark of pixels. */
+        private const val SAMPLES_SHIFT = 2 * COLUMN_BITS + 1
+
+        /** Returns the place of a sample of a tile, which stands for so many [samples] of its pixel, at most 64. */
+        fun place(row: Int, column: Int, samples: Int = 1): Int =
+            samples - 1 shl SAMPLES_SHIFT or (row shl COLUMN_BITS) or column
+
+        /** How many samples a place stands for. */
+        fun samples(place: Int): Int = (place ushr SAMPLES_SHIFT) + 1
+
+        /** Whether a place is the upper left one in its pixel of [side] x [side] samples, a power of two. */
+        fun isCorner(place: Int, side: Int): Boolean =
+            place and (side - 1 shl COLUMN_BITS or (side - 1)) == 0
 
         /** The row of a place. */
         fun row(place: Int): Int = place ushr COLUMN_BITS and (1 shl COLUMN_BITS) - 1
@@ -222,10 +233,9 @@ internal class WaitingFragments {
 
     /** Adds a fragment of a triangle with these [edges] at its point in the pixel, see [FragmentShading.addPart]. */
     fun addPart(start: Int, length: Int, tile: VisibilityBuffer, points: ShadingPoints, edges: EdgeForms) {
-        val x = tile.columnStart + PrimitiveRuns.column(start)
-        val y = tile.rowStart + PrimitiveRuns.row(start)
-        val point = points.find(edges, x, y)
-        add(start, length, points.first(x) - tile.columnStart, points.first(y) - tile.rowStart, point)
+        val left = points.first(tile.columnStart + PrimitiveRuns.column(start))
+        val top = points.first(tile.rowStart + PrimitiveRuns.row(start))
+        add(start, length, left - tile.columnStart, top - tile.rowStart, points.find(edges, left, top))
     }
 
     /** Adds the centres of [count] pixels of [side] samples, from the one whose first sample is at [start]. */

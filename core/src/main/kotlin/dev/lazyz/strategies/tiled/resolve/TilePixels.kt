@@ -9,7 +9,6 @@ import dev.lazyz.bytes
 import dev.lazyz.filter.LightSums
 import dev.lazyz.filter.LightSums.CHANNELS
 import dev.lazyz.strategies.tiled.raster.VisibilityBuffer
-import dev.lazyz.strategies.tiled.resolve.PixelSums.Companion.CORNER
 
 /**
  * Fills in each pixel of a tile, the mean of its [side] x [side] samples. Nothing of the size of the samples leaves the
@@ -41,16 +40,16 @@ internal class TilePixels(
     /** By column of the tile, the bits in which the keys of a row of pixels differ from those of its first samples. */
     private val differences = LongArray(stride)
 
-    private val sums = PixelSums(keys.size / samples)
+    private val sums = PixelSums(keys.size / samples, side)
 
-    /** For each fragment of a mixed pixel, by its sample: for how many it stands, and [CORNER] for the upper left. */
-    private val weights = IntArray(keys.size)
+    /** A bit for each sample of a pixel. */
+    private val all = -1L ushr Long.SIZE_BITS - samples
 
     /** The primitives of a mixed pixel, in the order of [offsets]. */
     private val indices = IntArray(samples)
 
     override val bytes: Long
-        get() = super.bytes + 2 * offsets.bytes + differences.bytes + sums.bytes + weights.bytes
+        get() = super.bytes + 2 * offsets.bytes + differences.bytes + sums.bytes
 
     override fun shadeRows() {
         sums.clear()
@@ -134,8 +133,6 @@ internal class TilePixels(
         }
         for (x in start until end) begin(x, row)
         for (y in side * row until side * (row + 1)) {
-            weights.fill(1, y * stride + side * start, y * stride + side * end)
-            if (y == side * row) for (x in start until end) weights[y * stride + side * x] = 1 or CORNER
             fragments.add(index, PrimitiveRuns.place(y, side * start), side * (end - start))
         }
     }
@@ -145,47 +142,41 @@ internal class TilePixels(
         val at = side * (row * stride + x)
         val pixel = begin(x, row)
         keepNearest(x, row, nearest(at))
-        val corner = test.indexOf(keys.keys[at])
         for (i in 0 until samples) indices[i] = test.indexOf(keys.keys[at + offsets[i]])
-        for (i in 0 until samples) {
-            val index = indices[i]
-            if (index == TAKEN) continue
-            if (index != DepthTest.BACKGROUND && !fragments.isOnce(index)) {
-                fragments.add(index, weigh(x, row, i, if (i == 0) 1 or CORNER else 1), 1)
-                continue
-            }
-            val count = takeSame(i)
-            val weight = if (index == corner) count or CORNER else count
+        var rest = all
+        while (rest != 0L) {
+            val sample = rest.countTrailingZeroBits()
+            val index = indices[sample]
+            var same = samplesOf(index)
+            rest = rest and same.inv()
+            val count = same.countOneBits()
             if (index == DepthTest.BACKGROUND) {
-                sums.add(pixel, background, weight)
+                sums.add(pixel, background, count, isCorner = sample == 0)
+            } else if (fragments.isOnce(index)) {
+                fragments.addPart(index, place(x, row, sample, count), 1)
             } else {
-                fragments.addPart(index, weigh(x, row, i, weight), 1)
+                while (same != 0L) {
+                    fragments.add(index, place(x, row, same.countTrailingZeroBits(), 1), 1)
+                    same = same and same - 1
+                }
             }
         }
     }
 
-    /** Marks the samples from number [first] on that show the same primitive as that one, and returns their number. */
-    private fun takeSame(first: Int): Int {
-        val indices = indices
-        val index = indices[first]
-        var count = 0
-        for (i in first until samples) {
+    /** Returns which samples of the mixed pixel show the primitive [index]: a bit for each. */
+    private fun samplesOf(index: Int): Long {
+        var same = 0L
+        for (i in samples - 1 downTo 0) {
             // Without a branch, which could not be predicted
             val difference = indices[i] xor index
-            val other = (difference or -difference) shr Int.SIZE_BITS - 1
-            indices[i] = indices[i] and other or (TAKEN and other.inv())
-            count += 1 + other
+            same = (same shl 1) + ((difference or -difference).inv() ushr Int.SIZE_BITS - 1)
         }
-        return count
+        return same
     }
 
-    /** Records the [weight] of the fragment at a [sample] of a mixed pixel, and returns its place. */
-    private fun weigh(x: Int, row: Int, sample: Int, weight: Int): Int {
-        val y = side * row + sample / side
-        val column = side * x + sample % side
-        weights[y * stride + column] = weight
-        return PrimitiveRuns.place(y, column)
-    }
+    /** Returns the place of a [sample] of a pixel, which stands for [count] of them. */
+    private fun place(x: Int, row: Int, sample: Int, count: Int): Int =
+        PrimitiveRuns.place(side * row + (sample shr shift), side * x + (sample and side - 1), count)
 
     /** Fills in pixel [x] of a row of pixels, in which translucent fragments are visible: each sample is shaded. */
     private fun blend(x: Int, row: Int) {
@@ -202,7 +193,7 @@ internal class TilePixels(
                 else -> fragments.shaded(column, y, index).toArgb()
             }
             val isCorner = column == keys.columnStart + side * x && y == keys.rowStart + side * row
-            sums.add(pixel, color, if (isCorner) 1 or CORNER else 1)
+            sums.add(pixel, color, 1, isCorner)
         }
         keepNearest(x, row, nearest)
     }
@@ -238,7 +229,7 @@ internal class TilePixels(
     private fun take(place: Int, color: Int) {
         val pixel = pixel(place)
         if (pixel in sums) {
-            sums.add(pixel, color, weight(place))
+            sums.add(pixel, color, PrimitiveRuns.samples(place), PrimitiveRuns.isCorner(place, side))
         } else {
             band.argb[PrimitiveRuns.row(place) shr shift][toColumn + (PrimitiveRuns.column(place) shr shift)] = color
         }
@@ -255,7 +246,7 @@ internal class TilePixels(
             }
             val first = i++
             while (i < fragments.size && pixel(places[i]) == pixel) i++
-            sums.add(pixel, argb, first, i) { weight(places[it]) }
+            sums.add(pixel, places, argb, first, i)
         }
     }
 
@@ -266,18 +257,11 @@ internal class TilePixels(
     private fun pixel(place: Int): Int =
         (PrimitiveRuns.row(place) shr shift) * pixelsOfRow + (PrimitiveRuns.column(place) shr shift)
 
-    private fun weight(place: Int): Int = weights[PrimitiveRuns.row(place) * stride + PrimitiveRuns.column(place)]
-
     override fun finish() {
         for (number in 0 until sums.count) {
             val pixel = sums[number]
             band.argb[pixel / pixelsOfRow][toColumn + pixel % pixelsOfRow] = sums.mean(pixel, samples)
         }
-    }
-
-    private companion object {
-        /** Less than all indices. */
-        const val TAKEN = Int.MIN_VALUE
     }
 }
 
@@ -285,8 +269,9 @@ internal class TilePixels(
  * The light of those pixels of a tile whose samples have several colours. Belongs to one thread; reused for each tile.
  *
  * @param pixels number of pixels of the largest tile
+ * @param side how many samples wide and high a pixel is
  */
-internal class PixelSums(pixels: Int) {
+internal class PixelSums(pixels: Int, private val side: Int) {
     private val has = BooleanArray(pixels)
     private val sums = LongArray(CHANNELS * pixels)
 
@@ -319,30 +304,21 @@ internal class PixelSums(pixels: Int) {
     /** Returns the pixel with this [number], 0 until [count]. */
     operator fun get(number: Int): Int = all[number]
 
-    /** Adds a [color] to a pixel, for as many samples as [weight] says, see [CORNER]. */
-    fun add(pixel: Int, color: Int, weight: Int) {
-        if (weight and CORNER != 0) corners[pixel] = color
-        LightSums.add(sums, CHANNELS * pixel, color, (weight and CORNER.inv()).toLong())
+    /** Adds a [color] to a pixel, for so many [samples], of which the upper left one may be one. */
+    fun add(pixel: Int, color: Int, samples: Int, isCorner: Boolean) {
+        if (isCorner) corners[pixel] = color
+        LightSums.add(sums, CHANNELS * pixel, color, samples.toLong())
     }
 
-    /**
-     * Adds the colours [argb] from number [first] until [end] to a pixel; [weight] returns for how many samples each
-     * is.
-     */
-    inline fun add(pixel: Int, argb: IntArray, first: Int, end: Int, weight: (i: Int) -> Int) {
+    /** Adds the colours [argb] from number [first] until [end] to a pixel; they are at these [places] of it. */
+    fun add(pixel: Int, places: IntArray, argb: IntArray, first: Int, end: Int) {
         LightSums.add(sums, CHANNELS * pixel, argb, first, end) { i ->
-            val samples = weight(i)
-            if (samples and CORNER != 0) corners[pixel] = argb[i]
-            samples and CORNER.inv()
+            if (PrimitiveRuns.isCorner(places[i], side)) corners[pixel] = argb[i]
+            PrimitiveRuns.samples(places[i])
         }
     }
 
     /** Returns the mean of a [pixel] with so many [samples]. */
     fun mean(pixel: Int, samples: Int): Int =
         LightSums.mean(sums, CHANNELS * pixel, samples.toLong(), corners[pixel])
-
-    companion object {
-        /** Bit of a weight: one of the samples is the upper left one of the pixel. */
-        const val CORNER: Int = 1 shl 16
-    }
 }
