@@ -43,7 +43,7 @@ private fun meshCase(raster: Raster, meshes: List<Mesh>, camera: Coded<Camera>):
     val scene = Scene.builder().apply { meshes.forEach { add(it) } }.viewpoint(camera.value).build()
     val code = meshes.joinToString("", "Scene.builder()") {
         ".add(Mesh(${code(it.positions)}, IntArray(${it.triangles.size}) { it }))"
-    } + ".viewpoint(${camera.code}).build().frame(${raster.width}, ${raster.height})"
+    } + ".viewpoint(${camera.code}).build().frame(${code(raster)})"
     return FrameCase(scene.frame(raster), code, scene)
 }
 
@@ -105,6 +105,18 @@ internal fun slivers(salt: Long): FrameCase {
             .shuffled(random)
     }
     return screenMesh(Raster(SHORT, SHORT), (inclined + slivers).map { it.flatten() }.shuffled(random))
+}
+
+/** A mesh of inclined triangles at all distances, on a [raster] of few samples. */
+internal fun fewTriangles(salt: Long, raster: Raster): FrameCase {
+    val random = Random(salt)
+    val triangles = List(SHEETS) {
+        val z = random.nextFloat()
+        List(3) {
+            List(2) { raster.width * (2 * random.nextFloat() - 0.5f) } + (z + random.nextFloat() / 4) / 2
+        }.flatten()
+    }
+    return screenMesh(raster, triangles)
 }
 
 /** A mesh of triangles of a few samples each over several tiles, most of which have no other triangles. */

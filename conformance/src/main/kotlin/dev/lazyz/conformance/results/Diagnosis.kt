@@ -103,7 +103,12 @@ internal class Diagnosis private constructor(
             val usual = symptom(cause.rule, broken)
 
             // Of a picture that is wrong, say how most often
-            val symptom = if (usual == Symptom.PICTURE) MISTAKES.maxBy { showing(it) } else usual
+            val isThrown = usual != null && Symptom.EXCEPTION in cause.symptoms.orEmpty()
+            val symptom = when {
+                usual == Symptom.PICTURE -> MISTAKES.maxBy { showing(it) }
+                isThrown && showing(Symptom.EXCEPTION) > showing(usual) -> Symptom.EXCEPTION
+                else -> usual
+            }
             val showing = showing(symptom)
             val crashing = broken.count { it.crash == cause.crash }
             return when {

@@ -115,7 +115,7 @@ public class RuleResult internal constructor(
         private const val WHAT_TO_DO = "Run it again while the machine has less other work, or with a longer " +
             "deadline (zcli: --deadline SECONDS; as a test: -Dlazyz.conformance.deadline=SECONDS)."
 
-        /** Where to look if the renderer crashed; null if it did not. */
+        /** Where to look if the renderer crashed or threw; null if it did not. */
         fun crashLook(thrown: Throwable): String? = when {
             thrown is ProcessEnded -> "Look for System.exit, Runtime.halt, and native code that crashes."
 
@@ -128,6 +128,8 @@ public class RuleResult internal constructor(
                     "or halve the rest in each call."
 
             crash(thrown) != null -> "Look where the error is thrown."
+
+            thrown is Exception || (thrown as? Violation)?.cause is Exception -> "Look where the exception is thrown."
 
             else -> null
         }

@@ -90,7 +90,9 @@ public sealed interface ChangeRules : RulesForOne {
     /** Merging the pictures of two halves of the primitives gives the picture of all primitives. */
     @Rule(
         intent = "Threads, tiles and machines can render parts of a frame and merge the results in any order.",
-        look = "Primitives that Frame.keeping leaves out must keep their indices.",
+        look =
+        "Primitives that Frame.keeping leaves out must keep their indices, and what is left of one picture must " +
+            "not be part of the next.",
     )
     public fun rule_5_1_mergedPartsEqualTheWholePicture(@ForAll(supplier = MixedCases::class) case: FrameCase) {
         val renderer = renderer()

@@ -31,6 +31,7 @@ import dev.lazyz.conformance.judgement.NotDeclared
 import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.judgement.refused
 import dev.lazyz.conformance.oracle.ReferenceRenderer
+import dev.lazyz.conformance.probes.fewTriangles
 import dev.lazyz.conformance.probes.smallWorlds
 import java.util.Random
 import net.jqwik.api.ForAll
@@ -91,7 +92,9 @@ public sealed interface PictureRules : RulesForOne {
     /** Colours, depths and primitives of 3D scenes equal those of the oracle. */
     @Rule(
         intent = "Meshes, polygons and spheres seen through a camera, clipped and masked, show the nearest surface.",
-        look = "If frames in screen space pass, check spheres (no depthForm), masks (many spans) and clipped polygons.",
+        look =
+        "If frames in screen space pass, check spheres (no depthForm), masks (many spans), clipped polygons, and " +
+            "in which order the triangles of a mesh are drawn.",
         about = [Symptom.IN_SPACE], tries = 250,
     )
     public fun rule_5_1_nearestFragmentIsVisibleInScenes(@ForAll(supplier = WorldCases::class) case: FrameCase) {
@@ -118,15 +121,20 @@ public sealed interface PictureRules : RulesForOne {
     public fun rule_5_3_everyDepthTestIsObeyed(
         @ForAll(supplier = TiedCases::class) tied: FrameCase,
         @ForAll(supplier = MixedCases::class) mixed: FrameCase,
+        @ForAll salt: Long,
     ) {
-        for (case in listOf(tied, mixed)) {
+        val cases = listOf<Pair<Raster, (Raster) -> FrameCase>>(
+            tied.frame.raster to tied::on, mixed.frame.raster to mixed::on,
+            Raster(8, 8) to { fewTriangles(salt, it) },
+        )
+        for ((usual, on) in cases) {
             for (test in DepthTest.entries) {
                 for (convention in DepthConvention.entries) {
-                    val raster = case.frame.raster.withConvention(convention).withDepthTest(test)
+                    val raster = usual.withConvention(convention).withDepthTest(test)
 
                     // Behind everything, or before everything, so that only what has the same depth can pass
                     for (depth in listOf(0, Int.MAX_VALUE)) {
-                        Judgement(renderer(), case.on(raster.withBackgroundDepth(depth))).equalsReference()
+                        Judgement(renderer(), on(raster.withBackgroundDepth(depth))).equalsReference()
                     }
                 }
             }

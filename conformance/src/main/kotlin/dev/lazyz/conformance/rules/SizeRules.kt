@@ -141,7 +141,7 @@ public sealed interface SizeRules : RulesForOne {
         intent = "A fragment that is nearer by a single unit of depth is visible, however many others are near it.",
         look = "Look for triangles that are rejected because another one was: a rough order of depths is no order, " +
             "and rounding changes that of near planes. Slivers seen edge-on have one depth.",
-        tries = 3,
+        about = [Symptom.ORDER], tries = 3,
     )
     public fun rule_5_1_trianglesCloseToAWallAreDrawnCorrectly(@ForAll salt: Long) {
         Judgement(renderer(), closeToAWall(salt)).equalsReference()

