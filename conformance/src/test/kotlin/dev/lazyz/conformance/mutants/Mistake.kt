@@ -23,21 +23,28 @@ import dev.lazyz.conformance.mutants.wrappers.TidyMistakes
 import dev.lazyz.conformance.mutants.wrappers.VariantMistakes
 
 /**
- * A mistake, and the rules that must notice a renderer that makes it.
+ * A mistake, and the rules that must notice a renderer that makes it. The rules are in `mistakes.csv`, a line for each
+ * mistake.
  *
  * @property make returns a new renderer, because some have state
  * @property what the mistake, in words
- * @property noticedBy names of the rules that must all fail; others may fail, too
  */
-internal class Mistake(val make: () -> Renderer, val what: String, vararg noticedBy: String, id: String? = null) {
+internal class Mistake(val make: () -> Renderer, val what: String, id: String? = null) {
     /** The name of the mistake, by default that of the renderer. */
     val id: String by lazy { id ?: make().id }
 
-    val noticedBy: List<String> = noticedBy.toList()
+    /** Names of the rules that must all fail; others may fail, too. */
+    val noticedBy: List<String> get() = checkNotNull(noticed[id]) { "mistakes.csv has no rules for $id" }
 
     /** A mistake in a step of a skeleton. */
-    constructor(id: String, what: String, vararg noticedBy: String, make: () -> Renderer) :
-        this(make, what, noticedBy = noticedBy, id = id)
+    constructor(id: String, what: String, make: () -> Renderer) : this(make, what, id)
+
+    companion object {
+        /** The rules that must notice a mistake, by its name. */
+        val noticed: Map<String, List<String>> =
+            checkNotNull(Mistake::class.java.getResource("/mistakes.csv")).readText().trim().lines().drop(1)
+                .associate { it.substringBefore(',') to it.substringAfter(',').split(' ') }
+    }
 }
 
 /**

@@ -4,7 +4,6 @@ import dev.lazyz.Frame
 import dev.lazyz.Renderer
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 
 /** Makes a renderer whose mixtures are made by [make]. */
 private fun mixing(make: () -> Mixture): Renderer = lists { frame, selector ->
@@ -22,26 +21,24 @@ private fun ending(end: ListDrawing.(Mixture, Int) -> Unit): Renderer = lists { 
 
 /** Rule 5.5 and 5.6. */
 internal val blendMistakes: List<Mistake> = listOf(
-    Mistake(
-        "blend-stops-early", "stops at a transmittance below 1/256; shows with bright colours behind", RuleNames.blend,
-    ) {
+    Mistake("blend-stops-early", "stops at a transmittance below 1/256; shows with bright colours behind") {
         mixing {
             object : Mixture() {
                 override val isOpen: Boolean get() = transmittance >= 1f / 256f
             }
         }
     },
-    Mistake("blend-alpha-not-clamped", "alpha above 1 and NaN are used as they are", RuleNames.extremes) {
+    Mistake("blend-alpha-not-clamped", "alpha above 1 and NaN are used as they are") {
         mixing {
             object : Mixture() {
                 override fun opacity(alpha: Float): Float = maxOf(alpha, 0f)
             }
         }
     },
-    Mistake("blend-in-double", "sums in double precision; shows in the last bit of some colours", RuleNames.rounded) {
+    Mistake("blend-in-double", "sums in double precision; shows in the last bit of some colours") {
         mixing { DoubleMixture() }
     },
-    Mistake("blend-backdrop-opaque", "the backdrop's own alpha is taken for 1", RuleNames.extremes) {
+    Mistake("blend-backdrop-opaque", "the backdrop's own alpha is taken for 1") {
         ending { over, i ->
             if (over.isOpen && i < size) {
                 val last = shade(i)
@@ -51,10 +48,7 @@ internal val blendMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake(
-        "blend-background-opaque", "the background's alpha is taken for 1; shows where it is not",
-        RuleNames.pointsBlend,
-    ) {
+    Mistake("blend-background-opaque", "the background's alpha is taken for 1; shows where it is not") {
         ending { over, i ->
             if (over.isOpen && i < size) {
                 val last = shade(i)
@@ -64,9 +58,7 @@ internal val blendMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake(
-        "blend-shades-hidden-backdrop", "the backdrop is shaded although nothing shines through", RuleNames.showing,
-    ) {
+    Mistake("blend-shades-hidden-backdrop", "the backdrop is shaded although nothing shines through") {
         ending { over, i ->
             if (i < size) {
                 val last = shade(i)
@@ -76,10 +68,7 @@ internal val blendMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake(
-        "translucency-outside-region", "translucent primitives that do not reach the region are not refused",
-        RuleNames.refuseHidden,
-    ) {
+    Mistake("translucency-outside-region", "translucent primitives that do not reach the region are not refused") {
         plain {
             object : PlainDrawing(it) {
                 override fun refuseTranslucent(id: String) {
@@ -88,9 +77,7 @@ internal val blendMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake(
-        "translucency-refused-late", "a translucent primitive is refused on its first row", RuleNames.refuseHidden,
-    ) {
+    Mistake("translucency-refused-late", "a translucent primitive is refused on its first row") {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
                 override fun refuseTranslucent(id: String) = Unit
@@ -102,10 +89,7 @@ internal val blendMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake(
-        "translucency-drawn-as-opaque", "a frame with translucent primitives is drawn without a word",
-        RuleNames.refuseHidden,
-    ) {
+    Mistake("translucency-drawn-as-opaque", "a frame with translucent primitives is drawn without a word") {
         tiles { frame: Frame, size: Int ->
             object : TileDrawing(frame, size) {
                 override fun refuseTranslucent(id: String) = Unit
@@ -139,7 +123,6 @@ internal val listMistakes: List<Mistake> = listOf(
         "list-of-16-fragments",
         "a sample has room for 16 fragments; the farthest of them gives way; shows on 17 layers of " +
             "blending or selection",
-        RuleNames.thin,
     ) {
         lists { frame, selector ->
             object : ListDrawing(frame, selector) {
@@ -148,10 +131,7 @@ internal val listMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake(
-        "selector-asked-twice", "the selector is asked once for depth, once for colour: twice the shading",
-        RuleNames.showing,
-    ) {
+    Mistake("selector-asked-twice", "the selector is asked once for depth, once for colour: twice the shading") {
         lists { frame, selector ->
             object : ListDrawing(frame, selector) {
                 override fun choose() {
@@ -161,9 +141,7 @@ internal val listMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake(
-        "selector-background-white", "the cell's background is white, whatever the raster's", RuleNames.pointsBlend,
-    ) {
+    Mistake("selector-background-white", "the cell's background is white, whatever the raster's") {
         lists { frame, selector ->
             object : ListDrawing(frame, selector) {
                 override val background: Rgba get() = Rgba.WHITE

@@ -3,7 +3,6 @@ package dev.lazyz.conformance.mutants.skeletons
 import dev.lazyz.Counters
 import dev.lazyz.RowSink
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 
 /** Makes a renderer that changes its counters by [change] before it returns them. */
 private fun counting(change: PlainDrawing.(Counters.Builder) -> Unit) = plain {
@@ -15,10 +14,7 @@ private fun counting(change: PlainDrawing.(Counters.Builder) -> Unit) = plain {
 
 /** Rule 8: pictures are right, numbers are not. */
 internal val counterMistakes: List<Mistake> = listOf(
-    Mistake(
-        "count-fragments-by-bounds", "fragments are counted by the width of the row's spans, gaps included",
-        RuleNames.fragments,
-    ) {
+    Mistake("count-fragments-by-bounds", "fragments are counted by the width of the row's spans, gaps included") {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
                 override fun draw(entry: Entry, y: Int) {
@@ -28,7 +24,7 @@ internal val counterMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake("count-evaluations-of-starts", "a span counts one depth evaluation, its steps none", RuleNames.depths) {
+    Mistake("count-evaluations-of-starts", "a span counts one depth evaluation, its steps none") {
         plain {
             object : PlainDrawing(it) {
                 override fun count(start: Int, end: Int) {
@@ -38,7 +34,7 @@ internal val counterMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake("count-passes-by-span", "a span counts one depth pass, however many samples of it pass", RuleNames.passes) {
+    Mistake("count-passes-by-span", "a span counts one depth pass, however many samples of it pass") {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
                 override fun lower(keys: LongArray, at: Int, index: Int, count: Int) {
@@ -49,7 +45,7 @@ internal val counterMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake("count-shading-by-run", "a run of one primitive counts one shading call", RuleNames.promise) {
+    Mistake("count-shading-by-run", "a run of one primitive counts one shading call") {
         tiles { frame, size ->
             object : TileDrawing(frame, size) {
                 override fun colorRun(index: Int, y: Int, start: Int, end: Int) {

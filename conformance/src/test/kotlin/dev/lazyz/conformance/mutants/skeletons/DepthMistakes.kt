@@ -5,14 +5,12 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 
 /** Depth along a span, the depth test, ties and the background. */
 internal val depthMistakes: List<Mistake> = listOf(
     Mistake(
         "depth-formless-per-4",
         "depth without a form evaluated at every fourth column of runs of 16 and more; shows on spheres that wide",
-        RuleNames.blended,
     ) {
         tiles { frame, size ->
             object : TileDrawing(frame, size) {
@@ -24,7 +22,7 @@ internal val depthMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake("key-float", "depths compared as Float; shows where two differ by few units", RuleNames.parts) {
+    Mistake("key-float", "depths compared as Float; shows where two differ by few units") {
         plain {
             object : PlainDrawing(it) {
                 override fun passes(key: Long, best: Long): Boolean {
@@ -35,7 +33,7 @@ internal val depthMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake("key-index-16-bits", "16 bits of the key for the index; shows from 65,536 primitives on", RuleNames.many) {
+    Mistake("key-index-16-bits", "16 bits of the key for the index; shows from 65,536 primitives on") {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
                 override fun key(depth: Int, index: Int): Long = test.key(depth, index and 0xFFFF)
@@ -46,7 +44,6 @@ internal val depthMistakes: List<Mistake> = listOf(
         "tie-by-place-in-list",
         "ties go to what is earlier in the active list, which is in order of first rows; shows on ties " +
             "of primitives that begin on different rows",
-        RuleNames.copies,
     ) {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
@@ -62,7 +59,7 @@ internal val depthMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake("background-depth-ignored", "the raster's background depth is ignored", RuleNames.background) {
+    Mistake("background-depth-ignored", "the raster's background depth is ignored") {
         plain {
             object : PlainDrawing(it) {
                 override fun backgroundKey(): Long = test.key(raster.convention.farthest, DepthTest.BACKGROUND)
@@ -72,11 +69,10 @@ internal val depthMistakes: List<Mistake> = listOf(
     Mistake(
         "background-loses-ties",
         "a fragment as deep as the background is visible, whatever the test; shows with LESS and GREATER",
-        RuleNames.background,
     ) {
         sweep { frame, coherence -> BackgroundLosesTies(frame, coherence) }
     },
-    Mistake("background-opaque", "the background's alpha is taken for 1", RuleNames.packed) {
+    Mistake("background-opaque", "the background's alpha is taken for 1") {
         tiles { frame, size ->
             object : TileDrawing(frame, size) {
                 override fun backgroundArgb(): Int = super.backgroundArgb() or (0xFF shl 24)
@@ -99,7 +95,7 @@ private class BackgroundLosesTies(frame: Frame, coherence: Coherence) : SweepDra
 internal val largeMistakes: List<Mistake> = listOf(
     Mistake(
         "large-depth-slope-in-int",
-        "depth is stepped from column 0 with 16 bits of fraction; shows at columns far to the right", RuleNames.refuse,
+        "depth is stepped from column 0 with 16 bits of fraction; shows at columns far to the right",
     ) {
         plain {
             object : PlainDrawing(it) {

@@ -2,20 +2,18 @@ package dev.lazyz.conformance.mutants.skeletons
 
 import dev.lazyz.Frame
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 
 /** Colours that are kept, shared or guessed. */
 internal val shadingMistakes: List<Mistake> = listOf(
     Mistake(
         "color-linear-from-24",
         "runs of 24 and more are shaded at every eighth sample, with packed colours interpolated between",
-        RuleNames.blended,
     ) {
         tiles { frame, size -> InterpolatedTiles(frame, size) }
     },
     Mistake(
         "color-clamped-before-encoding",
-        "packs colours by its own power of 1/2.2 in place of the sRGB curve; shows on dark greys", RuleNames.packed,
+        "packs colours by its own power of 1/2.2 in place of the sRGB curve; shows on dark greys",
     ) {
         tiles { frame, size -> PowerTiles(frame, size) }
     },
@@ -55,7 +53,7 @@ private class PowerTiles(frame: Frame, tileSize: Int) : TileDrawing(frame, tileS
 
 /** Regions and what is handed out. */
 internal val regionMistakes: List<Mistake> = listOf(
-    Mistake("region-column-forgotten-in-shading", "colours are asked for at columns of the region", RuleNames.region) {
+    Mistake("region-column-forgotten-in-shading", "colours are asked for at columns of the region") {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
                 override fun color(index: Int, x: Int, y: Int): Int = super.color(index, x - region.columnStart, y)

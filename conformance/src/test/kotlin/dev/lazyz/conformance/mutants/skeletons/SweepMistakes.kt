@@ -2,14 +2,12 @@ package dev.lazyz.conformance.mutants.skeletons
 
 import dev.lazyz.Primitive
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 
 /** The list of active primitives, and what goes from row to row. */
 internal val sweepMistakes: List<Mistake> = listOf(
     Mistake(
         "arrivals-packed-in-int",
         "first row and index are sorted in one Int of two halves; shows from row 32,768 or index 65,536 on",
-        RuleNames.many,
     ) {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
@@ -18,7 +16,7 @@ internal val sweepMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake("active-256-places", "more than 256 primitives on one row: the rest is dropped", RuleNames.thousands) {
+    Mistake("active-256-places", "more than 256 primitives on one row: the rest is dropped") {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
                 override fun enter(index: Int, y: Int) {
@@ -30,7 +28,6 @@ internal val sweepMistakes: List<Mistake> = listOf(
     Mistake(
         "empty-primitive-with-negative-height",
         "room for the rows of each primitive is asked for; one whose rowEnd is before its rowStart throws",
-        RuleNames.index,
     ) {
         plain {
             object : PlainDrawing(it) {
@@ -46,10 +43,7 @@ internal val sweepMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake(
-        "background-filled-once", "a row without primitives is not filled again after another such row",
-        RuleNames.overwrites,
-    ) {
+    Mistake("background-filled-once", "a row without primitives is not filled again after another such row") {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
                 private var wasEmpty = false
@@ -68,7 +62,7 @@ internal val sweepMistakes: List<Mistake> = listOf(
 internal val stepMistakes: List<Mistake> = listOf(
     Mistake(
         "step-adaptive-always",
-        "adaptive coherence steps over any gap, whatever a start costs; shows in starts and steps", RuleNames.stepping,
+        "adaptive coherence steps over any gap, whatever a start costs; shows in starts and steps",
     ) {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
@@ -79,7 +73,6 @@ internal val stepMistakes: List<Mistake> = listOf(
     Mistake(
         "step-adaptive-below-cost",
         "adaptive coherence steps over gaps below the cost of a start, not up to it; shows in starts and steps",
-        RuleNames.stepping,
     ) {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
@@ -87,7 +80,7 @@ internal val stepMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake("step-direct-steps-too", "direct coherence steps from neighbour to neighbour", RuleNames.stepping) {
+    Mistake("step-direct-steps-too", "direct coherence steps from neighbour to neighbour") {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
                 override fun isStepping(primitive: Primitive): Boolean = true
@@ -96,7 +89,7 @@ internal val stepMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake("step-starts-are-calls", "every call under coherence counts as a start", RuleNames.steps) {
+    Mistake("step-starts-are-calls", "every call under coherence counts as a start") {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
                 override fun step(chain: Chain, x: Int) {

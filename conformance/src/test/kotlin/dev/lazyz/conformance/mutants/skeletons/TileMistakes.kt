@@ -4,14 +4,12 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Region
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 
 /** What is rejected by its bounds in depth, and tiles that are left as they were. */
 internal val tileMistakes: List<Mistake> = listOf(
     Mistake(
         "reject-equal-depth",
         "rejects what is as deep as the farthest sample; shows where a full tile loses a tie that the later one wins",
-        RuleNames.points,
     ) {
         tiles { frame, size ->
             object : TileDrawing(frame, size) {
@@ -25,7 +23,6 @@ internal val tileMistakes: List<Mistake> = listOf(
     Mistake(
         "farthest-of-corners",
         "the farthest sample of a tile is looked for at its corners; shows where a tile has a hole or a dent inside",
-        RuleNames.thousands,
     ) {
         tiles { frame, size ->
             object : TileDrawing(frame, size) {
@@ -39,7 +36,6 @@ internal val tileMistakes: List<Mistake> = listOf(
     Mistake(
         "span-ends-behind",
         "a span that is behind one primitive at both ends is dropped; shows where that one has a gap in between",
-        RuleNames.manySpans,
     ) {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
@@ -60,14 +56,12 @@ internal val binMistakes: List<Mistake> = listOf(
     Mistake(
         "tile-places-in-short",
         "the samples that are to be shaded are listed as Short; shows in tiles of 256 and more, below row 127",
-        RuleNames.together,
     ) {
         tiles { frame, size -> ShortPlaces(frame, size) }
     },
     Mistake(
         "four-spans-a-row",
         "a row of a primitive has room for four spans; shows on concave polygons and masks with more",
-        RuleNames.manySpans,
     ) {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {

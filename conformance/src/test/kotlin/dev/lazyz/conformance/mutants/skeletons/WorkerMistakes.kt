@@ -7,23 +7,18 @@ import dev.lazyz.RenderOptions
 import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.RowSink
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.ExecutorService
 
 /** Bands of rows and their counters, where several threads draw. */
 internal val workerMistakes: List<Mistake> = listOf(
-    Mistake(
-        "bands-shared-keys", "all workers draw into the keys of one buffer; shows with several threads",
-        RuleNames.meets,
-    ) {
+    Mistake("bands-shared-keys", "all workers draw into the keys of one buffer; shows with several threads") {
         bands { frame, options -> SharedKeys(frame, options) }
     },
     Mistake(
         "bands-suspensions-by-threads",
-        "peak suspensions are multiplied by the threads; counters depend on their number", RuleNames.sums,
-        RuleNames.lostCounts,
+        "peak suspensions are multiplied by the threads; counters depend on their number",
     ) {
         bands { frame, options ->
             object : BandDrawing(frame, options) {
@@ -45,9 +40,7 @@ private class SharedKeys(frame: Frame, options: RenderOptions) : BandDrawing(fra
 
 /** Failures of workers and of the sink, interrupts, and what is left behind by threads. */
 internal val threadMistakes: List<Mistake> = listOf(
-    Mistake(
-        "worker-failure-wrapped", "what a worker throws reaches the caller as the cause of another", RuleNames.workers,
-    ) {
+    Mistake("worker-failure-wrapped", "what a worker throws reaches the caller as the cause of another") {
         bands { frame, options ->
             object : BandDrawing(frame, options) {
                 override fun fail(e: ExecutionException): Nothing = throw e
@@ -56,7 +49,6 @@ internal val threadMistakes: List<Mistake> = listOf(
     },
     Mistake(
         "interrupt-ends-early", "an interrupted caller gets counters of what is done, without the rest of the rows",
-        RuleNames.interrupts,
     ) {
         sweep { frame, coherence ->
             object : SweepDrawing(frame, coherence) {
@@ -66,20 +58,14 @@ internal val threadMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake(
-        "threads-left-behind", "the pool is not shut down; its threads wait for ever after each rendering",
-        RuleNames.tidy, RuleNames.late,
-    ) {
+    Mistake("threads-left-behind", "the pool is not shut down; its threads wait for ever after each rendering") {
         bands { frame, options ->
             object : BandDrawing(frame, options) {
                 override fun close(pool: ExecutorService) = Unit
             }
         }
     },
-    Mistake(
-        "threads-left-after-failure", "the pool is shut down by the last row; after a failure its threads stay",
-        RuleNames.halfDone, RuleNames.late,
-    ) {
+    Mistake("threads-left-after-failure", "the pool is shut down by the last row; after a failure its threads stay") {
         bands { frame, options ->
             object : BandDrawing(frame, options) {
                 private var isDone = false
@@ -95,10 +81,7 @@ internal val threadMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake(
-        "sink-in-worker", "the last worker of a band calls the sink, whose exception ends that band only",
-        RuleNames.sinks,
-    ) {
+    Mistake("sink-in-worker", "the last worker of a band calls the sink, whose exception ends that band only") {
         bands { frame, options -> SinkInWorker(frame, options) }
     },
 )
@@ -123,7 +106,7 @@ private class SinkInWorker(frame: Frame, options: RenderOptions) : BandDrawing(f
 internal val failureMistakes: List<Mistake> = listOf(
     Mistake(
         "state-colors-by-place",
-        "colours are kept by primitive's index and sample over renderings; shows on a second frame", RuleNames.again,
+        "colours are kept by primitive's index and sample over renderings; shows on a second frame",
     ) {
         val kept = ConcurrentHashMap<List<Int>, Int>()
         tiles { frame, size ->
@@ -138,7 +121,6 @@ internal val failureMistakes: List<Mistake> = listOf(
     Mistake(
         "state-arrivals-by-raster",
         "the sorted list of arrivals is kept for the next frame of as many primitives and the same raster",
-        RuleNames.order,
     ) {
         val kept = ConcurrentHashMap<String, List<Int>>()
         sweep { frame, coherence ->
@@ -154,7 +136,6 @@ internal val failureMistakes: List<Mistake> = listOf(
     Mistake(
         "state-shared-row",
         "all renderings of a renderer share the arrays of the row; shows on two threads, or in a sink that renders",
-        RuleNames.nested,
     ) {
         val rows = ConcurrentHashMap<Int, IntArray>()
         sweep { frame, coherence ->
@@ -166,7 +147,7 @@ internal val failureMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake("state-background-of-first", "the background colour of the first frame is used for all", RuleNames.again) {
+    Mistake("state-background-of-first", "the background colour of the first frame is used for all") {
         var first: Int? = null
         tiles { frame, size ->
             object : TileDrawing(frame, size) {
@@ -174,7 +155,7 @@ internal val failureMistakes: List<Mistake> = listOf(
             }
         }
     },
-    Mistake("failure-of-shader-is-magenta", "a sample whose shader throws is magenta", RuleNames.accidents) {
+    Mistake("failure-of-shader-is-magenta", "a sample whose shader throws is magenta") {
         tiles { frame, size ->
             object : TileDrawing(frame, size) {
                 override fun color(index: Int, x: Int, y: Int): Int = try {

@@ -13,7 +13,6 @@ import dev.lazyz.conformance.mutants.AtDepth
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.FilledGaps
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.ShiftedShade
 import dev.lazyz.conformance.mutants.ShortSpans
 import dev.lazyz.conformance.mutants.counting
@@ -34,55 +33,29 @@ import dev.lazyz.strategies.zbuffer.ZBufferRenderer
  */
 internal object BasicMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(
-            ::colourOfTheLoser, "on ties, index and depth are right, but the colour is that of the other fragment",
-            RuleNames.ties, RuleNames.tests, RuleNames.parts,
-        ),
-        Mistake(
-            ::shadesTheNeighbour, "shades the sample to the left", RuleNames.nearest, RuleNames.own, RuleNames.flecks,
-        ),
-        Mistake(::blendsAsSubmitted, "blends in the order of submission", RuleNames.blend, RuleNames.pointsBlend),
-        Mistake(::blendsFromTheBack, "blends from the back, which rounds differently", RuleNames.blend),
-        Mistake(
-            ::translucentAsOpaque, "draws translucent primitives as if they were opaque, without an error",
-            RuleNames.refuse,
-        ),
-        Mistake(
-            ::spanEndsEarly, "every span lacks its last column", RuleNames.nearest, RuleNames.scenes, RuleNames.narrow,
-            RuleNames.points, RuleNames.lines,
-        ),
-        Mistake(::gapsFilled, "one span a row, from the first start to the last end", RuleNames.nearest, RuleNames.own),
-        Mistake(::linearFormsOnly, "primitives without a linear form are not drawn", RuleNames.own, RuleNames.lines),
-        Mistake(::needsAPrimitive, "fails without primitives", RuleNames.empty),
-        Mistake(::needsTwoColumns, "fails on rasters of a single column", RuleNames.narrow),
-        Mistake(
-            ::lastWinsTies, "compares with `<=` instead of `<`", RuleNames.ties, RuleNames.tests, RuleNames.pairs,
-            RuleNames.copies,
-        ),
-        Mistake(::usualTestOnly, "the usual depth test, whatever the raster says", RuleNames.tests, RuleNames.pairs),
-        Mistake(
-            ::lastSubmittedWins, "the painter's algorithm without its sort", RuleNames.nearest, RuleNames.scenes,
-            RuleNames.order, RuleNames.ties, RuleNames.deep,
-        ),
-        Mistake(::backgroundAtInfinity, "a background that is always behind everything", RuleNames.background),
-        Mistake(
-            ::dropsTheInvisible, "primitives that cover nothing get no index, so later primitives have wrong ones",
-            RuleNames.index, RuleNames.counts, RuleNames.parts,
-        ),
-        Mistake(::countsACallTooMany, "counts a shading call that never happens", RuleNames.counts, RuleNames.empty),
-        Mistake(::countsNoPasses, "does not count depth passes", RuleNames.passes),
-        Mistake(::bottomUp, "rows from the bottom", RuleNames.rows),
-        Mistake(::firstRowTwice, "the first row two times", RuleNames.rows),
-        Mistake(
-            ::lastRowMissing, "all rows but the last", RuleNames.rows, RuleNames.nearest, RuleNames.empty,
-            RuleNames.narrow,
-        ),
-        Mistake(::ignoresTheRegion, "the whole raster, whatever the region", RuleNames.region),
-        Mistake(::remembersTheLastFrame, "the background shows the frame before", RuleNames.again, RuleNames.threads),
-        Mistake(
-            ::oneThreadOnly, "the frame is in a field, so that concurrent calls render each other's frames",
-            RuleNames.threads,
-        ),
+        Mistake(::colourOfTheLoser, "on ties, index and depth are right, but the colour is that of the other fragment"),
+        Mistake(::shadesTheNeighbour, "shades the sample to the left"),
+        Mistake(::blendsAsSubmitted, "blends in the order of submission"),
+        Mistake(::blendsFromTheBack, "blends from the back, which rounds differently"),
+        Mistake(::translucentAsOpaque, "draws translucent primitives as if they were opaque, without an error"),
+        Mistake(::spanEndsEarly, "every span lacks its last column"),
+        Mistake(::gapsFilled, "one span a row, from the first start to the last end"),
+        Mistake(::linearFormsOnly, "primitives without a linear form are not drawn"),
+        Mistake(::needsAPrimitive, "fails without primitives"),
+        Mistake(::needsTwoColumns, "fails on rasters of a single column"),
+        Mistake(::lastWinsTies, "compares with `<=` instead of `<`"),
+        Mistake(::usualTestOnly, "the usual depth test, whatever the raster says"),
+        Mistake(::lastSubmittedWins, "the painter's algorithm without its sort"),
+        Mistake(::backgroundAtInfinity, "a background that is always behind everything"),
+        Mistake(::dropsTheInvisible, "primitives that cover nothing get no index, so later primitives have wrong ones"),
+        Mistake(::countsACallTooMany, "counts a shading call that never happens"),
+        Mistake(::countsNoPasses, "does not count depth passes"),
+        Mistake(::bottomUp, "rows from the bottom"),
+        Mistake(::firstRowTwice, "the first row two times"),
+        Mistake(::lastRowMissing, "all rows but the last"),
+        Mistake(::ignoresTheRegion, "the whole raster, whatever the region"),
+        Mistake(::remembersTheLastFrame, "the background shows the frame before"),
+        Mistake(::oneThreadOnly, "the frame is in a field, so that concurrent calls render each other's frames"),
     )
 
     /** `<=` where `<` is meant. */

@@ -13,7 +13,6 @@ import dev.lazyz.Selector.Cell
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.PlainRenderer
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.primitives
 import dev.lazyz.filter.SuperSampling
 import dev.lazyz.spi.Fragment
@@ -25,25 +24,15 @@ import dev.lazyz.strategies.painter.PainterRenderer
 /** Renderers that are correct except for colours, and for when colours are computed. */
 internal object ColourMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(
-            ::keepsAttributes, "a surface without texture coordinates has those of another one", RuleNames.oneShader,
-        ),
-        Mistake(
-            ::constantColour, "shades a column once, in the primitive's first row", RuleNames.nearest, RuleNames.own,
-            RuleNames.flecks,
-        ),
-        Mistake(
-            ::fillsBetweenEqualEnds, "shows the colour of both neighbours where they have the same", RuleNames.flecks,
-        ),
-        Mistake(
-            ::keepsColours, "shows the colour of the fragment shaded before where a primitive sets no colour",
-            RuleNames.unset,
-        ),
-        Mistake(::oneStepShort, "a stepped colour is one step short", RuleNames.options),
-        Mistake(::shadesBeforeTheTest, "shades before the depth test", RuleNames.promise),
-        Mistake(::shadesTwice, "shades each visible sample twice, and counts one", RuleNames.counts, RuleNames.promise),
-        Mistake(::countsNoSteps, "does not count steps", RuleNames.steps),
-        Mistake(::countsWholeChains, "counts the steps of a row as one chain", RuleNames.steps),
+        Mistake(::keepsAttributes, "a surface without texture coordinates has those of another one"),
+        Mistake(::constantColour, "shades a column once, in the primitive's first row"),
+        Mistake(::fillsBetweenEqualEnds, "shows the colour of both neighbours where they have the same"),
+        Mistake(::keepsColours, "shows the colour of the fragment shaded before where a primitive sets no colour"),
+        Mistake(::oneStepShort, "a stepped colour is one step short"),
+        Mistake(::shadesBeforeTheTest, "shades before the depth test"),
+        Mistake(::shadesTwice, "shades each visible sample twice, and counts one"),
+        Mistake(::countsNoSteps, "does not count steps"),
+        Mistake(::countsWholeChains, "counts the steps of a row as one chain"),
     )
 
     fun shadesBeforeTheTest() =
@@ -155,11 +144,9 @@ internal object ColourMistakes {
 /** Renderers that are correct except for how they add up the samples of a pixel. */
 internal object PixelMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake({ WrongPixels("averages-codes", ::meanOfCodes) }, "averages codes instead of light", RuleNames.pixels),
-        Mistake({ WrongPixels("takes-one-sample") { it[0] } }, "shows one sample of a pixel", RuleNames.pixels),
-        Mistake(
-            { WrongPixels("depth-of-one-sample", null) }, "a pixel has the depth of its first sample", RuleNames.pixels,
-        ),
+        Mistake({ WrongPixels("averages-codes", ::meanOfCodes) }, "averages codes instead of light"),
+        Mistake({ WrongPixels("takes-one-sample") { it[0] } }, "shows one sample of a pixel"),
+        Mistake({ WrongPixels("depth-of-one-sample", null) }, "a pixel has the depth of its first sample"),
     )
 
     private fun meanOfCodes(samples: IntArray): Int {
@@ -203,13 +190,11 @@ internal object PixelMistakes {
 /** Renderers that are correct except for extremes of alpha and light, and for primitives hidden behind glass. */
 internal object GlassMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(
-            ::zeroTimesInfinity, "adds fragments with alpha 0, so that infinite light becomes NaN", RuleNames.extremes,
-        ),
-        Mistake(::stopsEarly, "stops blending at a transmittance of 1e-7", RuleNames.rounded),
-        Mistake(::multipliesByTheReciprocal, "multiplies sums by the reciprocal of the weights", RuleNames.rounded),
-        Mistake(::nanIsWhite, "NaN is packed as white", RuleNames.packed),
-        Mistake(::shadesAhead, "shades all translucent fragments before it blends", RuleNames.showing),
+        Mistake(::zeroTimesInfinity, "adds fragments with alpha 0, so that infinite light becomes NaN"),
+        Mistake(::stopsEarly, "stops blending at a transmittance of 1e-7"),
+        Mistake(::multipliesByTheReciprocal, "multiplies sums by the reciprocal of the weights"),
+        Mistake(::nanIsWhite, "NaN is packed as white"),
+        Mistake(::shadesAhead, "shades all translucent fragments before it blends"),
     )
 
     /** A fragment of alpha 0 adds 0 times its light. */

@@ -6,33 +6,21 @@ import dev.lazyz.Raster
 import dev.lazyz.conformance.cases.changed.Cutting
 import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.drawing
 import dev.lazyz.spi.Spans
 
 /** Renderers that are correct except for coverage. */
 internal object CoverageMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(::spansStartLate, "every span lacks its first column", RuleNames.nearest, RuleNames.halves),
-        Mistake(
-            ::tileColumnMissing, "the last column of each tile of 8 x 8 samples is not drawn", RuleNames.nearest,
-            RuleNames.moved,
-        ),
-        Mistake(
-            ::tileRowMissing, "the last row of each tile of 8 x 8 samples is not drawn", RuleNames.nearest,
-            RuleNames.moved,
-        ),
-        Mistake(::lateActivation, "primitives become active a row late", RuleNames.nearest, RuleNames.halves),
-        Mistake(::earlyRetirement, "primitives end a row early", RuleNames.nearest, RuleNames.halves),
-        Mistake(
-            ::singleSamplesLost, "rows in which a primitive has a single sample are lost", RuleNames.points,
-            RuleNames.lines,
-        ),
-        Mistake(::losesHugeBounds, "the number of columns of a primitive overflows", RuleNames.bounds),
-        Mistake(::firstSpanOnly, "only the first span of a row is drawn", RuleNames.nearest, RuleNames.own),
-        Mistake(
-            ::windingInverted, "holes are filled, and the area around them is not", RuleNames.nearest, RuleNames.own,
-        ),
+        Mistake(::spansStartLate, "every span lacks its first column"),
+        Mistake(::tileColumnMissing, "the last column of each tile of 8 x 8 samples is not drawn"),
+        Mistake(::tileRowMissing, "the last row of each tile of 8 x 8 samples is not drawn"),
+        Mistake(::lateActivation, "primitives become active a row late"),
+        Mistake(::earlyRetirement, "primitives end a row early"),
+        Mistake(::singleSamplesLost, "rows in which a primitive has a single sample are lost"),
+        Mistake(::losesHugeBounds, "the number of columns of a primitive overflows"),
+        Mistake(::firstSpanOnly, "only the first span of a row is drawn"),
+        Mistake(::windingInverted, "holes are filled, and the area around them is not"),
     )
 
     fun firstSpanOnly() = misreading("first-span-only") { _, from, to ->

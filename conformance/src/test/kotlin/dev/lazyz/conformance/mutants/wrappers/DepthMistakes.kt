@@ -8,7 +8,6 @@ import dev.lazyz.Raster.DepthConvention
 import dev.lazyz.conformance.cases.changed.renumbered
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.drawing
 import dev.lazyz.conformance.mutants.emit
 import dev.lazyz.conformance.mutants.painting
@@ -18,29 +17,19 @@ import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 /** Renderers that are correct except for depths and their comparison. */
 internal object DepthMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(
-            ::flatPrimitives, "whole primitives are sorted by their nearest depths, instead of comparing samples",
-            RuleNames.nearest, RuleNames.hidden, RuleNames.deep,
-        ),
-        Mistake(
-            ::staleRejection, "a whole primitive is rejected if it is hidden at one sample", RuleNames.nearest,
-            RuleNames.order,
-        ),
-        Mistake(
-            ::rejectsByEnds, "a primitive is rejected if it is hidden in the tiles at the ends of its bounds",
-            RuleNames.covered,
-        ),
+        Mistake(::flatPrimitives, "whole primitives are sorted by their nearest depths, instead of comparing samples"),
+        Mistake(::staleRejection, "a whole primitive is rejected if it is hidden at one sample"),
+        Mistake(::rejectsByEnds, "a primitive is rejected if it is hidden in the tiles at the ends of its bounds"),
         Mistake(
             ::rejectsByConvention, "rejects what is behind the background by the convention, whatever the depth test",
-            RuleNames.tests, RuleNames.pairs,
         ),
-        Mistake(::dropsEqualPrimitives, "a primitive that equals an earlier one is dropped", RuleNames.equal),
-        Mistake(::numbersByEquality, "the index is that of the first primitive that is equal", RuleNames.equal),
-        Mistake(::numbersTheExtended, "primitives whose bounds are empty have no number", RuleNames.index),
-        Mistake(::throughFloat, "depth goes through a float", RuleNames.nearest, RuleNames.scenes),
-        Mistake(::in24Bits, "depth has 24 bits", RuleNames.nearest, RuleNames.own),
-        Mistake(::middleOfSlivers, "what is seen edge-on is halfway to the far plane", RuleNames.wall),
-        Mistake(::ordersPlanes, "planes are ordered as if depths were not rounded", RuleNames.wall),
+        Mistake(::dropsEqualPrimitives, "a primitive that equals an earlier one is dropped"),
+        Mistake(::numbersByEquality, "the index is that of the first primitive that is equal"),
+        Mistake(::numbersTheExtended, "primitives whose bounds are empty have no number"),
+        Mistake(::throughFloat, "depth goes through a float"),
+        Mistake(::in24Bits, "depth has 24 bits"),
+        Mistake(::middleOfSlivers, "what is seen edge-on is halfway to the far plane"),
+        Mistake(::ordersPlanes, "planes are ordered as if depths were not rounded"),
     )
 
     fun throughFloat() = primitives("depth-through-float") { At(it) { x, y -> it.depth(x, y).toFloat().toInt() } }

@@ -11,7 +11,6 @@ import dev.lazyz.Selector.Cell
 import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.counting
 import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.hybrid.HybridRenderer
@@ -27,15 +26,12 @@ import java.util.concurrent.atomic.AtomicReference
 /** Renderers that clean up only after a success, or only where few look. */
 internal object FailureMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(::leavesTasks, "leaves the executor a task that keeps the frame", RuleNames.kept),
-        Mistake(::countsHalfTheDepths, "counts half of the depths that it computes", RuleNames.depths),
-        Mistake(::countsNoSelectedColours, "does not count the colours that a selector asks for", RuleNames.called),
-        Mistake(::stopsInterruptedWorkers, "a worker that is interrupted leaves its rows", RuleNames.finish),
-        Mistake(::claimsTilesTwice, "sometimes two threads draw the same tile", RuleNames.lostCounts),
-        Mistake(
-            ::leavesInterrupts, "an interrupt of the executor's thread if the rendering fails",
-            RuleNames.notInterrupted,
-        ),
+        Mistake(::leavesTasks, "leaves the executor a task that keeps the frame"),
+        Mistake(::countsHalfTheDepths, "counts half of the depths that it computes"),
+        Mistake(::countsNoSelectedColours, "does not count the colours that a selector asks for"),
+        Mistake(::stopsInterruptedWorkers, "a worker that is interrupted leaves its rows"),
+        Mistake(::claimsTilesTwice, "sometimes two threads draw the same tile"),
+        Mistake(::leavesInterrupts, "an interrupt of the executor's thread if the rendering fails"),
     )
 
     /** Interrupts its worker after a failure. The worker sets its status again, as if the thread were its own. */
@@ -121,11 +117,11 @@ internal object FailureMistakes {
 /** Renderers with side effects. */
 internal object TidyMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(::prints, "a line on standard output for each rendering", RuleNames.tidy),
-        Mistake(::setsEnglish, "the default locale is English, which it may be already", RuleNames.tidy),
-        Mistake(::renamesTheCaller, "another name for the calling thread", RuleNames.tidy),
-        Mistake(::addsAHook, "a shutdown hook for each rendering", RuleNames.leaks),
-        Mistake(::keepsAHistory, "a list of the sizes of all frames", RuleNames.leaks),
+        Mistake(::prints, "a line on standard output for each rendering"),
+        Mistake(::setsEnglish, "the default locale is English, which it may be already"),
+        Mistake(::renamesTheCaller, "another name for the calling thread"),
+        Mistake(::addsAHook, "a shutdown hook for each rendering"),
+        Mistake(::keepsAHistory, "a list of the sizes of all frames"),
     )
 
     private fun prints() = having("prints") { println("rendering ${it.width} x ${it.height}") }
@@ -150,14 +146,11 @@ internal object TidyMistakes {
 /** Renderers that hold memory and do not report it. All other counters are correct. */
 internal object MemoryMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(
-            ::wholePicture, "promises constant memory, but holds the picture and reports the memory of a row",
-            RuleNames.memory,
-        ),
-        Mistake(::storesPrimitives, "promises to stream primitives, but stores each in a list", RuleNames.arrivals),
-        Mistake(::reportsTheBudgetAsKept, "ignores the memory budget, but reports that it is kept", RuleNames.heap),
-        Mistake(::keepsTheLastFrame, "keeps the last frame until the next one comes", RuleNames.kept),
-        Mistake(::keepsFailedFrames, "keeps frames that could not be rendered", RuleNames.kept),
+        Mistake(::wholePicture, "promises constant memory, but holds the picture and reports the memory of a row"),
+        Mistake(::storesPrimitives, "promises to stream primitives, but stores each in a list"),
+        Mistake(::reportsTheBudgetAsKept, "ignores the memory budget, but reports that it is kept"),
+        Mistake(::keepsTheLastFrame, "keeps the last frame until the next one comes"),
+        Mistake(::keepsFailedFrames, "keeps frames that could not be rendered"),
     )
 
     private fun wholePicture() = BrokenRenderer("whole-picture", setOf(Capability.CONSTANT_MEMORY)) { frame, sink ->

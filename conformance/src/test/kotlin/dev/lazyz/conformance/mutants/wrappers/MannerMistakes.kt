@@ -8,7 +8,6 @@ import dev.lazyz.Renderer
 import dev.lazyz.conformance.cases.changed.renumbered
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.WrongColors
 import dev.lazyz.conformance.mutants.emit
 import dev.lazyz.conformance.mutants.painting
@@ -20,24 +19,17 @@ import java.util.IdentityHashMap
 /** Renderers that render correctly as long as they are used in the usual way. */
 internal object MannerMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(::indexIn16Bits, "indices have 16 bits", RuleNames.many),
-        Mistake(
-            ::indexByIdentity, "a primitive that is submitted twice has the index of its first occurrence",
-            RuleNames.copies,
-        ),
-        Mistake(::regionOffsetTwice, "rows are numbered from the region's start, twice", RuleNames.region),
-        Mistake(::looksOutsideTheRegion, "asks for the spans of all, and then for the region's", RuleNames.outside),
-        Mistake(::widthOf97, "one width is wrong, which only a user's frame has", RuleNames.frames),
-        Mistake(::configuresItself, "`configured` sets the options of the renderer itself", RuleNames.options),
-        Mistake(
-            ::addsToExceptions, "adds to what a primitive or the sink throws", RuleNames.accidents, RuleNames.sinks,
-        ),
-        Mistake(
-            ::failsAfterAFailure, "after one failure, every later call fails", RuleNames.accidents, RuleNames.sinks,
-        ),
-        Mistake(::interruptedHalfWay, "an interrupted thread gets an empty picture", RuleNames.interrupts),
-        Mistake(::failsWhenInterrupted, "an interrupted thread gets an unrelated exception", RuleNames.interrupts),
-        Mistake(::racyMerge, "the second thread's result overwrites the first thread's", RuleNames.options),
+        Mistake(::indexIn16Bits, "indices have 16 bits"),
+        Mistake(::indexByIdentity, "a primitive that is submitted twice has the index of its first occurrence"),
+        Mistake(::regionOffsetTwice, "rows are numbered from the region's start, twice"),
+        Mistake(::looksOutsideTheRegion, "asks for the spans of all, and then for the region's"),
+        Mistake(::widthOf97, "one width is wrong, which only a user's frame has"),
+        Mistake(::configuresItself, "`configured` sets the options of the renderer itself"),
+        Mistake(::addsToExceptions, "adds to what a primitive or the sink throws"),
+        Mistake(::failsAfterAFailure, "after one failure, every later call fails"),
+        Mistake(::interruptedHalfWay, "an interrupted thread gets an empty picture"),
+        Mistake(::failsWhenInterrupted, "an interrupted thread gets an unrelated exception"),
+        Mistake(::racyMerge, "the second thread's result overwrites the first thread's"),
     )
 
     fun regionOffsetTwice() = BrokenRenderer("region-offset-twice") { frame, sink ->

@@ -9,7 +9,6 @@ import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.counting
 import dev.lazyz.conformance.mutants.painting
 import dev.lazyz.spi.Spans
@@ -23,41 +22,24 @@ import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 /** Renderers that are correct but declare too many capabilities, or count incorrectly. */
 internal object PromiseMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(::reportsAByte, "reports one byte, whatever it holds", RuleNames.held),
-        Mistake(
-            ::holdsTheImageTwice, "promises to stay within a budget, but holds the image twice, with any budget",
-            RuleNames.heap, RuleNames.budget,
-        ),
-        Mistake(::reportsNoMemory, "does not report its working memory", RuleNames.memoryReport),
-        Mistake(::countsVisibleFragments, "counts visible samples as fragments", RuleNames.fragments),
-        Mistake(::countsRejectedTwice, "counts rejected fragments twice", RuleNames.fragments),
-        Mistake(::countsEveryTest, "counts every comparison as passed", RuleNames.among),
-        Mistake(::testsTheBackground, "computes depths where nothing is covered", RuleNames.among),
-        Mistake(::reportsNoLayers, "does not report the memory of translucent layers", RuleNames.held),
-        Mistake(
-            ::keepsGlass, "promises to stream primitives, but keeps those of frames that blend", RuleNames.arrivals,
-        ),
-        Mistake(
-            ::memoryGrows, "promises constant memory, but reports memory that grows with the rows", RuleNames.memory,
-        ),
-        Mistake(
-            ::buffersRows, "promises to stream rows, but buffers the picture", RuleNames.streams, RuleNames.unpulled,
-        ),
-        Mistake(
-            ::looksAhead, "promises to stream rows, but queries the next row first", RuleNames.streams,
-            RuleNames.unpulled,
-        ),
-        Mistake(
-            ::keepsPrimitives, "promises to stream primitives, but stores and sorts all of them", RuleNames.arrivals,
-        ),
-        Mistake(::notParallel, "promises to be parallel, but uses one thread", RuleNames.parallel),
-        Mistake(::countsByThread, "counts work of its own for each thread", RuleNames.sums),
-        Mistake(::losesCounts, "loses the counts of all threads but one", RuleNames.sums),
-        Mistake(::budgetIgnored, "promises to stay within a budget, but ignores it", RuleNames.budget),
-        Mistake(
-            ::noColoursWithoutBudget, "with a memory budget of 0, all colours are missing", RuleNames.budget,
-            RuleNames.options,
-        ),
+        Mistake(::reportsAByte, "reports one byte, whatever it holds"),
+        Mistake(::holdsTheImageTwice, "promises to stay within a budget, but holds the image twice, with any budget"),
+        Mistake(::reportsNoMemory, "does not report its working memory"),
+        Mistake(::countsVisibleFragments, "counts visible samples as fragments"),
+        Mistake(::countsRejectedTwice, "counts rejected fragments twice"),
+        Mistake(::countsEveryTest, "counts every comparison as passed"),
+        Mistake(::testsTheBackground, "computes depths where nothing is covered"),
+        Mistake(::reportsNoLayers, "does not report the memory of translucent layers"),
+        Mistake(::keepsGlass, "promises to stream primitives, but keeps those of frames that blend"),
+        Mistake(::memoryGrows, "promises constant memory, but reports memory that grows with the rows"),
+        Mistake(::buffersRows, "promises to stream rows, but buffers the picture"),
+        Mistake(::looksAhead, "promises to stream rows, but queries the next row first"),
+        Mistake(::keepsPrimitives, "promises to stream primitives, but stores and sorts all of them"),
+        Mistake(::notParallel, "promises to be parallel, but uses one thread"),
+        Mistake(::countsByThread, "counts work of its own for each thread"),
+        Mistake(::losesCounts, "loses the counts of all threads but one"),
+        Mistake(::budgetIgnored, "promises to stay within a budget, but ignores it"),
+        Mistake(::noColoursWithoutBudget, "with a memory budget of 0, all colours are missing"),
     )
 
     fun memoryGrows() = claiming("memory-grows-with-rows", Capability.CONSTANT_MEMORY, ZBufferRenderer())

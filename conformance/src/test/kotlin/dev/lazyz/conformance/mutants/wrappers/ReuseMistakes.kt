@@ -17,7 +17,6 @@ import dev.lazyz.conformance.cases.changed.Recovered
 import dev.lazyz.conformance.cases.changed.renumbered
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.emit
 import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.hybrid.HybridRenderer
@@ -27,42 +26,28 @@ import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 /** Renderers that keep, reuse or count the wrong things. */
 internal object ReuseMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(::keepsHeavyPrimitives, "keeps all primitives that come one by one, in any budget", RuleNames.heap),
-        Mistake(::placesOf16Bits, "a place within a tile has 16 bits", RuleNames.tileSizes),
+        Mistake(::keepsHeavyPrimitives, "keeps all primitives that come one by one, in any budget"),
+        Mistake(::placesOf16Bits, "a place within a tile has 16 bits"),
         Mistake(
             ::losesATriangleOfBlocks,
             "of many triangles one is lost where a region begins within a block of eight rows",
-            RuleNames.layersOfRegion,
         ),
-        Mistake(
-            ::sortsByNineBits, "primitives are sorted by nine bits of the band in which they begin",
-            RuleNames.manyTiles,
-        ),
-        Mistake(
-            ::tilesOf14Bits, "small triangles are sorted by 14 bits of the number of their tile", RuleNames.manyTiles,
-        ),
-        Mistake(
-            ::fillsEmptyBandsOnce, "a band of rows without primitives is not filled again after another such band",
-            RuleNames.emptyRows,
-        ),
+        Mistake(::sortsByNineBits, "primitives are sorted by nine bits of the band in which they begin"),
+        Mistake(::tilesOf14Bits, "small triangles are sorted by 14 bits of the number of their tile"),
+        Mistake(::fillsEmptyBandsOnce, "a band of rows without primitives is not filled again after another such band"),
         Mistake(
             ::rowsOfTheFirstTallFrame,
             "arrays are made for the first frame of several bands, and not made longer for a later one",
-            RuleNames.sizes,
         ),
-        Mistake(
-            ::drawsAsManyAsBefore, "what is kept of a mesh is found by its vertices, whatever its triangles are",
-            RuleNames.sizes,
-        ),
-        Mistake(::countsALastGroup, "counts the primitives of the last group", RuleNames.counted),
+        Mistake(::drawsAsManyAsBefore, "what is kept of a mesh is found by its vertices, whatever its triangles are"),
+        Mistake(::countsALastGroup, "counts the primitives of the last group"),
         Mistake(
             ::countsWhatIsKeptAgain,
             "draws the visible primitives again with each group, and counts their fragments each time",
-            RuleNames.counted,
         ),
-        Mistake(::numbersALastGroup, "numbers the primitives of the last group from 0", RuleNames.counted),
-        Mistake(::numbersEachPart, "numbers primitives of streamed parts from 0", RuleNames.streamed),
-        Mistake(::streamsAsOpaque, "draws streamed parts as if they were opaque", RuleNames.streamed),
+        Mistake(::numbersALastGroup, "numbers the primitives of the last group from 0"),
+        Mistake(::numbersEachPart, "numbers primitives of streamed parts from 0"),
+        Mistake(::streamsAsOpaque, "draws streamed parts as if they were opaque"),
     )
 
     /** Arrays are made for the first frame of several bands, and not made longer for a later one. */

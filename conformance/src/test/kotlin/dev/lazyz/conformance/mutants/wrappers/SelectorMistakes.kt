@@ -6,7 +6,6 @@ import dev.lazyz.Selector
 import dev.lazyz.Selector.Cell
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.spi.Fragment
 import dev.lazyz.strategies.lists.ListsRenderer
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
@@ -14,13 +13,13 @@ import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 /** Renderers that ignore the caller's selector, or give it wrong cells. */
 internal object SelectorMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(::ignoresTheSelector, "promises selection, but shows the nearest fragment", RuleNames.selects),
-        Mistake(::cellsFromTheBack, "the selector gets the fragments from back to front", RuleNames.selects),
-        Mistake(::wrapsAlpha, "an alpha just above 1 that a selector shows is nearly transparent", RuleNames.selects),
-        Mistake(::shadesAFewHundred, "the selector gets the colours of 256 fragments", RuleNames.chosen),
-        Mistake(::cutsColumns, "the selector gets columns of 16 bits", RuleNames.far),
-        Mistake(::selectsTwice, "the selector is called twice for each sample", RuleNames.called),
-        Mistake(::skipsSingleFragments, "the selector is not called where there is one fragment", RuleNames.called),
+        Mistake(::ignoresTheSelector, "promises selection, but shows the nearest fragment"),
+        Mistake(::cellsFromTheBack, "the selector gets the fragments from back to front"),
+        Mistake(::wrapsAlpha, "an alpha just above 1 that a selector shows is nearly transparent"),
+        Mistake(::shadesAFewHundred, "the selector gets the colours of 256 fragments"),
+        Mistake(::cutsColumns, "the selector gets columns of 16 bits"),
+        Mistake(::selectsTwice, "the selector is called twice for each sample"),
+        Mistake(::skipsSingleFragments, "the selector is not called where there is one fragment"),
     )
 
     fun ignoresTheSelector() = selecting("ignores-the-selector") { Selector.nearest() }

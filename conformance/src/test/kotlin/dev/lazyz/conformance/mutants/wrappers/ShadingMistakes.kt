@@ -4,7 +4,6 @@ import dev.lazyz.Capability
 import dev.lazyz.Frame
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Shader
 import dev.lazyz.strategies.lists.ListsRenderer
@@ -12,62 +11,41 @@ import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /** Renderers that are correct except for normals, light, textures, maps, materials and tone mapping. */
 internal object ShadingMistakes {
-    private val lit = arrayOf(RuleNames.lit)
-    private val litAndInScenes = arrayOf(RuleNames.lit, RuleNames.scenes)
-    private val turned = arrayOf(RuleNames.turned)
-
     val mistakes: List<Mistake> = listOf(
+        mistake("normals-not-turned", "lights back faces from the wrong side", Inside.Companion::turnNormals),
         mistake(
-            "normals-not-turned", "lights back faces from the wrong side", turned + lit,
-            Inside.Companion::turnNormals,
+            "tangents-not-turned", "reverses normals of back faces, but not tangents", MapChanges::turnTangentsBack,
+        ),
+        mistake("highlights-lost", "light without highlights", Inside.Companion::loseHighlight),
+        mistake("emission-lost", "ignores the light that materials emit", Inside.Companion::loseEmission),
+        mistake("nearest-texel", "reads the nearest texel instead of mixing four", Inside.Companion::readNearest),
+        mistake(
+            "interpolates-on-the-screen", "interpolates without perspective", Inside.Companion::interpolateOnScreen,
         ),
         mistake(
-            "tangents-not-turned", "reverses normals of back faces, but not tangents", turned,
-            MapChanges::turnTangentsBack,
-        ),
-        mistake("highlights-lost", "light without highlights", turned + lit, Inside.Companion::loseHighlight),
-        mistake("emission-lost", "ignores the light that materials emit", lit, Inside.Companion::loseEmission),
-        mistake("nearest-texel", "reads the nearest texel instead of mixing four", lit, Inside.Companion::readNearest),
-        mistake(
-            "interpolates-on-the-screen", "interpolates without perspective", lit,
-            Inside.Companion::interpolateOnScreen,
-        ),
-        mistake(
-            "one-set-of-coordinates", "reads all maps at the first texture coordinates", litAndInScenes,
+            "one-set-of-coordinates",
+            "reads all maps at the first texture coordinates",
             MapChanges::readFirstCoordinates,
         ),
-        mistake(
-            "transform-of-maps-lost", "texture coordinates are not transformed", litAndInScenes,
-            MapChanges::loseTransforms,
-        ),
-        mistake("occlusion-lost", "ignores occlusion maps", lit, MapChanges::loseOcclusion),
-        mistake("emission-map-lost", "ignores emission maps", litAndInScenes, MapChanges::loseEmissionMap),
-        mistake("metals-are-plastic", "all metals are plastic", litAndInScenes, MapChanges::loseMetalness),
-        mistake(
-            "spheres-not-toned", "tone mapping is left out for spheres", litAndInScenes,
-            MapChanges::loseToneMappingOfSpheres,
-        ),
-        mistake(
-            "environment-lost", "metals do not reflect the environment", litAndInScenes,
-            LightChanges::loseEnvironment,
-        ),
-        mistake("cones-lost", "spots shine in all directions", litAndInScenes, LightChanges::loseCones),
-        mistake("falloff-lost", "light is equally strong at any distance", litAndInScenes, LightChanges::loseFalloff),
-        mistake(
-            "visibility-lost", "ignores the visibility of ambient light", litAndInScenes,
-            LightChanges::loseVisibility,
-        ),
-        Mistake(::vertexAlphaIgnored, "blends as if vertex colours were opaque", RuleNames.blended),
+        mistake("transform-of-maps-lost", "texture coordinates are not transformed", MapChanges::loseTransforms),
+        mistake("occlusion-lost", "ignores occlusion maps", MapChanges::loseOcclusion),
+        mistake("emission-map-lost", "ignores emission maps", MapChanges::loseEmissionMap),
+        mistake("metals-are-plastic", "all metals are plastic", MapChanges::loseMetalness),
+        mistake("spheres-not-toned", "tone mapping is left out for spheres", MapChanges::loseToneMappingOfSpheres),
+        mistake("environment-lost", "metals do not reflect the environment", LightChanges::loseEnvironment),
+        mistake("cones-lost", "spots shine in all directions", LightChanges::loseCones),
+        mistake("falloff-lost", "light is equally strong at any distance", LightChanges::loseFalloff),
+        mistake("visibility-lost", "ignores the visibility of ambient light", LightChanges::loseVisibility),
+        Mistake(::vertexAlphaIgnored, "blends as if vertex colours were opaque"),
         Mistake(
             ::footprintOfANeighbour,
             "reads textures of fine meshes with the derivatives of the sample that was shaded before",
-            RuleNames.footprints,
         ),
     )
 
     /** A mistake in how primitives are shaded, which [change] makes inside each of them. */
-    private fun mistake(id: String, what: String, noticedBy: Array<String>, change: (Inside, Changes) -> Unit) =
-        Mistake(id, what, *noticedBy) {
+    private fun mistake(id: String, what: String, change: (Inside, Changes) -> Unit) =
+        Mistake(id, what) {
             BrokenRenderer(id) { frame, sink -> changed(frame, change) { ZBufferRenderer().render(frame, sink) } }
         }
 

@@ -13,7 +13,6 @@ import dev.lazyz.conformance.cases.changed.renumbered
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Misread
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.drawing
 import dev.lazyz.conformance.mutants.painting
 import dev.lazyz.conformance.mutants.primitives
@@ -25,45 +24,34 @@ import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 /** Renderers that are correct as long as nothing is large. */
 internal object SizeMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(::columnsIn16Bits, "columns are kept in 16 bits where they are shaded", RuleNames.far),
-        Mistake(::rowsIn15Bits, "rows are kept in a short where they are shaded", RuleNames.far),
-        Mistake(::lastColumnOfATileOf64, "the last column of each tile of 64 x 64 samples is lost", RuleNames.tiles),
-        Mistake(::lastRowOfABandOf128, "the last row of each band of 128 rows is lost", RuleNames.tiles),
-        Mistake(
-            ::noTilesBeyondTheFirstOf256, "tiles of 256 right of or below the first are lost", RuleNames.tiles,
-            RuleNames.tileSizes,
-        ),
-        Mistake(
-            ::elevenBitsOfATile, "what is visible in a tile of 64 x 64 samples has numbers of eleven bits",
-            RuleNames.tileSizes,
-        ),
+        Mistake(::columnsIn16Bits, "columns are kept in 16 bits where they are shaded"),
+        Mistake(::rowsIn15Bits, "rows are kept in a short where they are shaded"),
+        Mistake(::lastColumnOfATileOf64, "the last column of each tile of 64 x 64 samples is lost"),
+        Mistake(::lastRowOfABandOf128, "the last row of each band of 128 rows is lost"),
+        Mistake(::noTilesBeyondTheFirstOf256, "tiles of 256 right of or below the first are lost"),
+        Mistake(::elevenBitsOfATile, "what is visible in a tile of 64 x 64 samples has numbers of eleven bits"),
         Mistake(
             ::sortsByRecursion,
             "the fragments of a sample are sorted by calls as deep as there are fragments, if they come in order",
-            RuleNames.millionOfARow, RuleNames.million,
         ),
-        Mistake(
-            ::coversItsTile, "a wide primitive covers its last tile, although it ends before the last column",
-            RuleNames.covered,
-        ),
+        Mistake(::coversItsTile, "a wide primitive covers its last tile, although it ends before the last column"),
         Mistake(
             ::stopsAtTheFirstHidden,
-            "primitives after the first hidden one are lost, in a rough order from near to far", RuleNames.wall,
+            "primitives after the first hidden one are lost, in a rough order from near to far",
         ),
         Mistake(
             ::forgetsWhatBeganBefore,
             "a row is processed in pieces of a million fragments, and a piece lacks spans of the one before",
-            RuleNames.millionOfARow,
         ),
-        Mistake(::sixteenSpans, "a primitive has at most 16 spans in a row", RuleNames.manySpans),
-        Mistake(::spansIn14Bits, "a primitive has at most 16,384 spans in a row", RuleNames.thousandsOfSpans),
-        Mistake(::blendsAMillionFragments, "a picture has at most a million translucent fragments", RuleNames.million),
-        Mistake(::keepsEightLayers, "an opaque fragment that comes late leaves at most eight layers", RuleNames.thin),
-        Mistake(::thirtyTwoLayers, "a sample takes at most 32 fragments", RuleNames.deep),
-        Mistake(::layersInAByte, "a sample takes at most 255 fragments", RuleNames.thousands),
-        Mistake(::blends32Layers, "at most 32 layers are blended", RuleNames.thin),
-        Mistake(::indexThroughAFloat, "indices go through a float", RuleNames.floats),
-        Mistake(::indexIn24Bits, "indices have 24 bits", RuleNames.floats),
+        Mistake(::sixteenSpans, "a primitive has at most 16 spans in a row"),
+        Mistake(::spansIn14Bits, "a primitive has at most 16,384 spans in a row"),
+        Mistake(::blendsAMillionFragments, "a picture has at most a million translucent fragments"),
+        Mistake(::keepsEightLayers, "an opaque fragment that comes late leaves at most eight layers"),
+        Mistake(::thirtyTwoLayers, "a sample takes at most 32 fragments"),
+        Mistake(::layersInAByte, "a sample takes at most 255 fragments"),
+        Mistake(::blends32Layers, "at most 32 layers are blended"),
+        Mistake(::indexThroughAFloat, "indices go through a float"),
+        Mistake(::indexIn24Bits, "indices have 24 bits"),
     )
 
     fun columnsIn16Bits() = primitives("columns-in-16-bits") { ShadedAt(it) { x, y -> (x and 0xFFFF) to y } }

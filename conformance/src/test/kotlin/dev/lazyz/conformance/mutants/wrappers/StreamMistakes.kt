@@ -13,24 +13,20 @@ import dev.lazyz.StreamingRenderer
 import dev.lazyz.StreamingRenderer.Rendering
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
 
 /** Renderers that are right for frames, but wrong for primitives that arrive one by one, or for unsupported options. */
 internal object StreamMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(::drawsTheTranslucent, "draws translucent primitives as opaque ones", RuleNames.oneByOne),
-        Mistake(::deliversAgain, "delivers an image again when it is finished twice", RuleNames.ended),
-        Mistake(::ignoresOptions, "ignores options that it does not support", RuleNames.unsupported),
-        Mistake(::refusesItsOwnOptions, "refuses options that it promises to support", RuleNames.unsupported),
-        Mistake(::continuesAfterAnError, "begins again after a primitive has thrown an Error", RuleNames.ended),
-        Mistake(
-            ::refusesBeforeItLooks, "refuses a translucent primitive for an ended image as for any other",
-            RuleNames.ended,
-        ),
-        Mistake(::namesTheFirst, "names another primitive than it refuses", RuleNames.oneByOne),
-        Mistake(::keepsWhatArrives, "keeps a note of each picture that it begins", RuleNames.leaks),
-        Mistake(::ignoresTheRegion, "draws the whole raster if primitives come one by one", RuleNames.oneByOne),
+        Mistake(::drawsTheTranslucent, "draws translucent primitives as opaque ones"),
+        Mistake(::deliversAgain, "delivers an image again when it is finished twice"),
+        Mistake(::ignoresOptions, "ignores options that it does not support"),
+        Mistake(::refusesItsOwnOptions, "refuses options that it promises to support"),
+        Mistake(::continuesAfterAnError, "begins again after a primitive has thrown an Error"),
+        Mistake(::refusesBeforeItLooks, "refuses a translucent primitive for an ended image as for any other"),
+        Mistake(::namesTheFirst, "names another primitive than it refuses"),
+        Mistake(::keepsWhatArrives, "keeps a note of each picture that it begins"),
+        Mistake(::ignoresTheRegion, "draws the whole raster if primitives come one by one"),
     )
 
     fun namesTheFirst() = stream("stream-names-the-first") { begin ->

@@ -4,7 +4,6 @@ import dev.lazyz.Counters
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Crew
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.Tools
 import dev.lazyz.conformance.mutants.emit
 import dev.lazyz.spi.Fragment
@@ -15,52 +14,26 @@ import kotlin.concurrent.thread
 /** Renderers with mistakes in the use of threads and of the sink. */
 internal object ThreadMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(::sharesARow, "threads fill one row, and copy it when it is full", RuleNames.lost),
-        Mistake(::sharesAFragment, "threads of one rendering share a fragment", RuleNames.lost, RuleNames.threads),
-        Mistake(::losesUpdates, "threads compare and write the key of a sample without a lock", RuleNames.lost),
-        Mistake(::sharesCounters, "threads count in the same counters without a lock", RuleNames.lostCounts),
-        Mistake(
-            ::losesErrors, "an Error that is not an Exception ends its thread and is not reported", RuleNames.workers,
-        ),
-        Mistake(
-            ::callsAfterTheEnd, "when the caller's thread has failed, another thread continues to call primitives",
-            RuleNames.late,
-        ),
-        Mistake(
-            ::deliversHalfPictures, "an interrupted caller delivers what its threads have finished so far",
-            RuleNames.halfDone,
-        ),
-        Mistake(::leavesItsThreads, "an interrupted caller throws, and its threads continue", RuleNames.halfDone),
-        Mistake(
-            ::addsTheOthers, "when several threads fail, the others' exceptions are added to the first",
-            RuleNames.workers,
-        ),
-        Mistake(
-            ::keepsRowsByWidth, "the arrays of a row are in a thread local, for all pictures of a width",
-            RuleNames.nested,
-        ),
-        Mistake(::keepsAFragment, "the fragment is in a field, for all renderings", RuleNames.meets),
-        Mistake(::keepsSpans, "the spans are in a field, for all renderings", RuleNames.meets),
-        Mistake(
-            ::keepsDepthsOfPlanes, "the depths of planes are in a field, for all renderings", RuleNames.meets,
-        ),
-        Mistake(::callsFromAThread, "the sink is called by a thread of the renderer's own", RuleNames.caller),
-        Mistake(::callsAtOnce, "several threads call the sink, each with its row", RuleNames.caller),
-        Mistake(
-            ::writesOnlyChanges, "an element of a row is written only if it differs from the row before",
-            RuleNames.overwrites,
-        ),
-        Mistake(
-            ::fillsRowsLater, "the next row is written into the arrays that the sink still has", RuleNames.overwrites,
-        ),
-        Mistake(
-            ::keepsRowsInAThread, "the arrays of a row are in a thread local, for all renderings", RuleNames.nested,
-        ),
-        Mistake(
-            ::losesTheInterrupt, "the interrupt status is cleared, and the picture is made all the same",
-            RuleNames.status,
-        ),
-        Mistake(::interruptsTwice, "InterruptedException is thrown with the status still set", RuleNames.status),
+        Mistake(::sharesARow, "threads fill one row, and copy it when it is full"),
+        Mistake(::sharesAFragment, "threads of one rendering share a fragment"),
+        Mistake(::losesUpdates, "threads compare and write the key of a sample without a lock"),
+        Mistake(::sharesCounters, "threads count in the same counters without a lock"),
+        Mistake(::losesErrors, "an Error that is not an Exception ends its thread and is not reported"),
+        Mistake(::callsAfterTheEnd, "when the caller's thread has failed, another thread continues to call primitives"),
+        Mistake(::deliversHalfPictures, "an interrupted caller delivers what its threads have finished so far"),
+        Mistake(::leavesItsThreads, "an interrupted caller throws, and its threads continue"),
+        Mistake(::addsTheOthers, "when several threads fail, the others' exceptions are added to the first"),
+        Mistake(::keepsRowsByWidth, "the arrays of a row are in a thread local, for all pictures of a width"),
+        Mistake(::keepsAFragment, "the fragment is in a field, for all renderings"),
+        Mistake(::keepsSpans, "the spans are in a field, for all renderings"),
+        Mistake(::keepsDepthsOfPlanes, "the depths of planes are in a field, for all renderings"),
+        Mistake(::callsFromAThread, "the sink is called by a thread of the renderer's own"),
+        Mistake(::callsAtOnce, "several threads call the sink, each with its row"),
+        Mistake(::writesOnlyChanges, "an element of a row is written only if it differs from the row before"),
+        Mistake(::fillsRowsLater, "the next row is written into the arrays that the sink still has"),
+        Mistake(::keepsRowsInAThread, "the arrays of a row are in a thread local, for all renderings"),
+        Mistake(::losesTheInterrupt, "the interrupt status is cleared, and the picture is made all the same"),
+        Mistake(::interruptsTwice, "InterruptedException is thrown with the status still set"),
     )
 
     private fun crew(id: String, threads: Int, tools: () -> Tools) = BrokenRenderer(id) { frame, sink ->

@@ -5,7 +5,6 @@ import dev.lazyz.Frame
 import dev.lazyz.RenderOptions
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Mistake
-import dev.lazyz.conformance.mutants.RuleNames
 import dev.lazyz.conformance.mutants.emit
 import dev.lazyz.strategies.lists.ListsRenderer
 import dev.lazyz.strategies.tiled.TiledRenderer
@@ -16,15 +15,10 @@ internal object VariantMistakes {
     private val parallel = setOf(Capability.PARALLEL, Capability.TRANSPARENCY)
 
     val mistakes: List<Mistake> = listOf(
-        Mistake(::blendsThreeHundred, "blends at most 300 translucent primitives", RuleNames.thousand),
-        Mistake(
-            ::buffersGlass, "delivers the first row of a translucent picture after the last is rendered",
-            RuleNames.streams, RuleNames.unpulled, RuleNames.memory,
-        ),
-        Mistake(::oneThreadForGlass, "one thread for translucent pictures", RuleNames.parallel),
-        Mistake(
-            ::oneThreadTooManyForGlass, "one thread more than allowed for translucent pictures", RuleNames.parallel,
-        ),
+        Mistake(::blendsThreeHundred, "blends at most 300 translucent primitives"),
+        Mistake(::buffersGlass, "delivers the first row of a translucent picture after the last is rendered"),
+        Mistake(::oneThreadForGlass, "one thread for translucent pictures"),
+        Mistake(::oneThreadTooManyForGlass, "one thread more than allowed for translucent pictures"),
     )
 
     fun blendsThreeHundred() = BrokenRenderer("blends-three-hundred", setOf(Capability.TRANSPARENCY)) { frame, sink ->
@@ -50,8 +44,8 @@ internal object VariantMistakes {
 /** Renderers that are correct as long as only one setting differs from its default. */
 internal object CombinationMistakes {
     val mistakes: List<Mistake> = listOf(
-        Mistake(::noBlendingInRegions, "nothing is blended if the region is a part of the raster", RuleNames.together),
-        Mistake(::noBlendingWithThreads, "nothing is blended with several threads", RuleNames.together),
+        Mistake(::noBlendingInRegions, "nothing is blended if the region is a part of the raster"),
+        Mistake(::noBlendingWithThreads, "nothing is blended with several threads"),
     )
 
     fun noBlendingInRegions() = glazier("no-blending-in-regions") { frame, _ -> frame.region != frame.raster.region }
