@@ -7,6 +7,8 @@ import dev.lazyz.world.light.Environment
 import dev.lazyz.world.light.Light
 import dev.lazyz.world.light.ToneMapping
 import dev.lazyz.world.material.Lobes
+import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.Shading
 import org.joml.Vector3dc
 
 /** A vector in double precision. */
@@ -51,6 +53,9 @@ internal class SlowLight(private val scene: Scene, private val right: Vec, priva
         val lobes: Lobes?,
     )
 
+    /** A point of a surface and its normal. */
+    class Place(val point: Vec, val normal: Vec)
+
     private val environment = scene.environment
         ?: if (scene.lights.isEmpty()) Environment.USUAL else Environment.FAINT
     private val albedos = HashMap<Pair<Double, Double>, Double>()
@@ -80,7 +85,27 @@ internal class SlowLight(private val scene: Scene, private val right: Vec, priva
         return mapped(DoubleArray(3) { (below[it] + emission[it]) * (1 - coat) + above[it] })
     }
 
-    /** The direction to a light, and its strength at a point. */
+    /**
+     * The light of a material without a model of metals, as in textbooks: Lambert's cosine, and Phong's highlight or
+     * Blinn's. The [occlusion] is a factor of ambient light.
+     */
+    fun classical(material: Material, base: DoubleArray, at: Place, v: Vec, occlusion: Double, emission: DoubleArray) =
+        mapped(
+            DoubleArray(3) { k ->
+                emission[k] + scene.lights.sumOf { light ->
+                    val color = parts(light.color)[k]
+                    val (l, strength) = beam(light, at.point) ?: return@sumOf base[k] * color * occlusion
+                    val cosine = at.normal dot l
+                    if (cosine <= 0) return@sumOf 0.0
+                    val isPhong = material.shading == Shading.PHONG
+                    val near = if (isPhong) (at.normal * (2 * cosine) - l) dot v else at.normal dot (l + v).unit()
+                    val highlight = Math.pow(Math.max(near, 0.0), material.shininess.toDouble())
+                    color * strength * (base[k] * cosine + parts(material.specular)[k] * highlight)
+                }
+            },
+        )
+
+    /** The direction to a light, and its strength at a point; null for ambient light. */
     private fun beam(light: Light, point: Vec): Pair<Vec, Double>? {
         val (to, falloff) = when (light) {
             is Light.Directional -> return light.direction.slow() * -1.0 to 1.0

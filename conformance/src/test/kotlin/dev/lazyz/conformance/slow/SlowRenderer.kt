@@ -6,6 +6,7 @@ import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.camera.Projection
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
+import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.TextureMap
 import dev.lazyz.world.surface.Lines
@@ -16,7 +17,7 @@ import dev.lazyz.world.surface.Surface
 /**
  * A renderer that shares nothing with the library but the description of a scene: double precision, a ray through each
  * sample, tried with every triangle, point and line. What it computes is from the specification of glTF 2.0 and its
- * extensions, and from textbooks, not from the contract.
+ * extensions, and from textbooks, not from the contract. It does not know light at vertices, spheres and polygons.
  *
  * @param side samples of a pixel in each direction
  * @param filter how textures are read: by their texels, so that the mean of many samples is the truth, or by mip levels
@@ -131,9 +132,10 @@ internal class SlowRenderer(
             if (!(met[1] >= 0 && met[2] >= 0 && met[3] >= 0)) return null
             val toViewer = if ((normal dot along) > 0) normal * -1.0 else normal
             var shown = mesh.normals?.let { mean(it, 3, met).let { (nx, ny, nz) -> Vec(nx, ny, nz) } } ?: toViewer
-            if ((shown dot toViewer) < 0) shown *= -1.0
+            val side = if ((shown dot toViewer) < 0) -1.0 else 1.0
+            shown *= side
             val color = mesh.colors?.let { mean(it, 4, met) } ?: WHITE
-            val tangent = mesh.tangents?.let { mean(it, 4, met) }
+            val tangent = mesh.tangents?.let { all -> mean(all, 4, met).also { t -> for (k in 0..3) t[k] *= side } }
             return Hit(met[0], from + along * met[0], mesh.material, color, shown.unit(), tangent) { set, x, y ->
                 val (start, way) = ray(x, y)
                 mean(checkNotNull(if (set == 0) mesh.uvs else mesh.uvs2), 2, meet(start, way))
@@ -186,15 +188,20 @@ internal class SlowRenderer(
         val emission = parts(hit.material.emission)
         read(hit.material.emissionMap)?.let { for (k in 0 until 3) emission[k] *= it[k] }
         val model = hit.material.metallicRoughness
-        if (hit.normal == null || model == null || alpha == 0.0) {
-            return Triple(DoubleArray(3) { base[it] + emission[it] }, alpha, DoubleArray(3))
+        val isDark = hit.normal == null || hit.material.shading == Shading.CONSTANT
+        if (isDark || alpha == 0.0) return Triple(DoubleArray(3) { base[it] + emission[it] }, alpha, DoubleArray(3))
+        val v = if (isPerspective) (camera.eye.slow() - hit.point).unit() else backward
+        val normal = bumped(hit, read(hit.material.normalMap?.map))
+        if (model == null) {
+            val occlusion = hit.material.occlusionMap?.let { 1 + it.strength * (read(it.map)!![0] - 1) } ?: 1.0
+            val place = SlowLight.Place(hit.point, normal)
+            return Triple(light.classical(hit.material, base, place, v, occlusion, emission), alpha, DoubleArray(3))
         }
         val parameters = read(model.map)
         val surface = SlowLight.Surface(
             base, model.metallic * (parameters?.get(2) ?: 1.0), model.roughness * (parameters?.get(1) ?: 1.0),
-            bumped(hit, read(hit.material.normalMap?.map)), hit.normal, along(hit), model.lobes,
+            normal, hit.normal!!, along(hit), model.lobes,
         )
-        val v = if (isPerspective) (camera.eye.slow() - hit.point).unit() else backward
         return Triple(light.of(surface, hit.point, v, emission), alpha, light.passed(surface, v))
     }
 

@@ -17,6 +17,7 @@ import dev.lazyz.world.material.Lobes
 import dev.lazyz.world.material.Material
 import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.NormalMap
+import dev.lazyz.world.material.Material.OcclusionMap
 import dev.lazyz.world.material.MetallicRoughness
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter
@@ -124,6 +125,28 @@ class SlowRendererTest {
         for (light in lights) compare("$light", lit(balls(), light), 1, Tolerance(0.3, 1.2))
         val neutral = lit(balls(), lights[1]).withToneMapping(ToneMapping(ToneMapping.Curve.NEUTRAL, 0.5))
         compare("neutral", neutral, 1, Tolerance(0.3, 1.2))
+    }
+
+    /** Highlights of Phong and Blinn, with all kinds of light; a ball, and a square with maps, also from behind. */
+    @Test
+    fun highlightsAreThoseOfTextbooks() {
+        val numbers = noise(8, Texture.Filter.BILINEAR, Wrap.REPEAT, Wrap.REPEAT, MipFilter.NONE)
+            .withEncoding(Texture.Encoding.LINEAR)
+        for ((shading, y) in listOf(Material.Shading.PHONG to 1.0, Material.Shading.BLINN_PHONG to -1.0)) {
+            val lights = listOf(
+                Light.Ambient(Rgba(0.1f, 0.2f, 0.15f)),
+                Light.Directional(Vector3d(-0.5, -0.7 * y, -0.6), Rgba(0.5f, 0.4f, 0.3f)),
+                Light.Point(Vector3d(0.5, 1.2 * y, 2.5), Rgba(4f, 5f, 6f), Falloff.inverseSquare(4.0)),
+                Light.Spot(Vector3d(0.0, 1.5 * y, 4.0), Vector3d(0.0, -0.3 * y, -1.0), BROWN, 4.0, 15.0),
+            )
+            fun seen(surface: Surface) = lit(listOf(surface), sun).withLights(lights)
+                .withViewpoint(perspective(Vector3d(0.0, 0.9 * y, 5.0)))
+            val plain = Material(BROWN, null, shading, Rgba(0.5f, 0.6f, 0.7f), 20, Rgba(0.05f, 0.1f, 0.02f))
+            compare("$shading", seen(ball(0f, 0f, 1.7f, plain)), 1, Tolerance(0.3, 1.2))
+            val mapped = plain.withNormalMap(NormalMap(TextureMap(numbers), 0.2f))
+                .withOcclusionMap(OcclusionMap(TextureMap(numbers, 1), 0.8f))
+            compare("$shading with maps", seen(square(2f, 0f, mapped)), 1, Tolerance(0.4, 2.5))
+        }
     }
 
     /** A coloured reflection takes its own part from each colour of the diffuse light, not the largest from all. */

@@ -3,7 +3,6 @@ package dev.lazyz.conformance.mutants.wrappers
 import dev.lazyz.Primitive
 import dev.lazyz.Rgba
 import dev.lazyz.spi.Shader
-import dev.lazyz.world.light.AmbientVisibility
 import dev.lazyz.world.material.Texture
 
 /** Temporary changes of fields of the library's objects. */
@@ -124,15 +123,7 @@ internal class Inside(primitive: Primitive) {
 
 /** Mistakes in lights, in the environment, and in the visibility of ambient light. */
 internal object LightChanges {
-    fun loseVisibility(inside: Inside, changes: Changes) = eachOwner(inside) { changes.set(it, VISIBILITY, null) }
-
-    /** Looks from the other side of the surface. */
-    fun turnVisibility(inside: Inside, changes: Changes) = replaceVisibility<Turned>(inside, changes) { Turned(it) }
-
-    /** No light is stronger than 1. */
-    fun dimLights(inside: Inside, changes: Changes) = eachLight(inside) { numbers, at ->
-        for (k in at + COLOR until at + KIND) changes.setNumber(numbers, k, minOf(numbers[k], 1f))
-    }
+    fun loseVisibility(inside: Inside, changes: Changes) = eachOwner(inside) { changes.set(it, "visibility", null) }
 
     /** Spots shine in all directions. */
     fun loseCones(inside: Inside, changes: Changes) = eachVarying(inside) { numbers, at ->
@@ -147,22 +138,6 @@ internal object LightChanges {
 
     fun loseEnvironment(inside: Inside, changes: Changes) {
         inside.shader?.let { changes.set(physical(it), "environment", null) }
-    }
-
-    /** Looks in other directions. */
-    fun turnEnvironment(inside: Inside, changes: Changes) {
-        val own = inside.shader?.let { Inside.read(physical(it), "environment") } ?: return
-        changes.set(own, "cosine", 0.6f)
-    }
-
-    private inline fun <reified T : AmbientVisibility> replaceVisibility(
-        inside: Inside,
-        changes: Changes,
-        change: (AmbientVisibility) -> T,
-    ) = eachOwner(inside) { owner ->
-        // Primitives share what lights them
-        val own = Inside.read(owner, VISIBILITY) as AmbientVisibility?
-        if (own != null && own !is T) changes.set(owner, VISIBILITY, change(own))
     }
 
     /** Calls [action] with the numbers of each light, and their first index. */
@@ -187,15 +162,7 @@ internal object LightChanges {
 
     private fun physical(shader: Any): Any = checkNotNull(Inside.read(lighting(shader), "physical"))
 
-    private class Turned(private val own: AmbientVisibility) : AmbientVisibility {
-        override fun at(x: Float, y: Float, z: Float, normalX: Float, normalY: Float, normalZ: Float) =
-            own.at(x, y, z, -normalX, -normalY, -normalZ)
-    }
-
-    private const val VISIBILITY = "visibility"
-
     // The layout of the numbers of a light
-    private const val COLOR = 3
     private const val KIND = 6
     private const val VARYING = 2f
     private const val FALLOFF = 7
