@@ -40,6 +40,16 @@ object SampleScenes {
         )
     }
 
+    /** A mesh of [side] x [side] vertices; [place] returns x, y or z (0, 1 or 2) of that in a column of a row. */
+    fun sheet(side: Int, material: Material = Material(), place: (column: Int, row: Int, axis: Int) -> Number): Mesh {
+        val positions = FloatArray(3 * side * side) { place(it / 3 % side, it / 3 / side, it % 3).toFloat() }
+        val triangles = IntArray(6 * (side - 1) * (side - 1)) {
+            val cell = it / 6
+            cell / (side - 1) * side + cell % (side - 1) + intArrayOf(0, 1, side + 1, 0, side + 1, side)[it % 6]
+        }
+        return Mesh(positions, triangles, material)
+    }
+
     /** All kinds of surfaces and shading, with textures, masks and blending. */
     fun mixed(random: Random): Scene {
         val surfaces = ArrayList<Surface>()

@@ -217,20 +217,7 @@ class WorkersTest {
     @Test
     @EnabledIfSystemProperty(named = "lazyz.effort", matches = "rest|full")
     fun aFrameAndItsPictureAreMadeByTheCallersThreads() {
-        val side = 200
-        val positions = FloatArray(3 * side * side) {
-            when (it % 3) {
-                0 -> (it / 3 % side).toFloat()
-                1 -> (it / 3 / side).toFloat()
-                else -> (it % 7).toFloat()
-            }
-        }
-        val triangles = IntArray(6 * (side - 1) * (side - 1)) {
-            val cell = it / 6
-            val corner = cell / (side - 1) * side + cell % (side - 1)
-            corner + intArrayOf(0, 1, side, 1, side + 1, side)[it % 6]
-        }
-        val scene = Scene(listOf(Mesh(positions, triangles, Material())))
+        val scene = Scene(listOf(SampleScenes.sheet(200) { x, y, axis -> listOf(x, y, (x + y) % 7)[axis] }))
         val raster = Raster(96, 96)
         val expected = ZBufferRenderer().render(scene.frame(raster))
         for ((name, executor) in executors) {

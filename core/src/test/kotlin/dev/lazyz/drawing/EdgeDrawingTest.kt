@@ -3,6 +3,7 @@ package dev.lazyz.drawing
 import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
+import dev.lazyz.SampleScenes
 import dev.lazyz.drawing.EdgeStyle.EdgeSet
 import dev.lazyz.drawing.EdgeStyle.HiddenLines
 import dev.lazyz.filter.SuperSampling
@@ -145,22 +146,15 @@ class EdgeDrawingTest {
 
     /** This square as [parts] x [parts] squares. */
     private fun Mesh.divided(parts: Int): Mesh {
-        val side = parts + 1
         val (x0, y0) = positions[0] to positions[1]
         val (x1, y1) = positions[3] to positions[7]
-        val grid = FloatArray(3 * side * side) {
-            val (column, row) = it / 3 % side to it / 3 / side
-            when (it % 3) {
+        return SampleScenes.sheet(parts + 1, material) { column, row, axis ->
+            when (axis) {
                 0 -> if (column == parts) x1 else x0 + (x1 - x0) * column / parts
                 1 -> if (row == parts) y1 else y0 + (y1 - y0) * row / parts
                 else -> positions[2]
             }
         }
-        val corners = (0 until parts * parts).flatMap { cell ->
-            val a = cell / parts * side + cell % parts
-            listOf(a, a + 1, a + side + 1, a, a + side + 1, a + side)
-        }
-        return Mesh(grid, corners.toIntArray(), material)
     }
 
     @Test

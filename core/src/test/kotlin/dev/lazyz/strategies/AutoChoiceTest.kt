@@ -6,6 +6,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
+import dev.lazyz.SampleScenes
 import dev.lazyz.Selector
 import dev.lazyz.samples
 import dev.lazyz.strategies.Renderers.StrategyEstimates
@@ -34,19 +35,8 @@ class AutoChoiceTest {
     }.frame(side, side)
 
     /** A grid of 2 x [cells] x [cells] triangles that fills the picture. */
-    private fun grid(cells: Int, z: Double = 0.0): Mesh {
-        val line = cells + 1
-        val positions = FloatArray(3 * line * line)
-        for (i in 0 until line * line) {
-            positions[3 * i] = (2.0 * (i % line) / cells - 1.0).toFloat()
-            positions[3 * i + 1] = (2.0 * (i / line) / cells - 1.0).toFloat()
-            positions[3 * i + 2] = z.toFloat()
-        }
-        val corners = (0 until cells * cells).flatMap { cell ->
-            val a = cell / cells * line + cell % cells
-            listOf(a, a + 1, a + line + 1, a, a + line + 1, a + line)
-        }
-        return Mesh(positions, corners.toIntArray(), Material())
+    private fun grid(cells: Int, z: Double = 0.0): Mesh = SampleScenes.sheet(cells + 1) { column, row, axis ->
+        listOf(2.0 * column / cells - 1.0, 2.0 * row / cells - 1.0, z)[axis]
     }
 
     private fun sphere(material: Material) = Sphere(Vector3d(0.0, 0.0, 0.0), 0.5, material)

@@ -2,6 +2,7 @@ package dev.lazyz.strategies
 
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
+import dev.lazyz.SampleScenes
 import dev.lazyz.ShadingRate
 import dev.lazyz.drawing.EdgeStyle
 import dev.lazyz.drawing.EdgeStyle.EdgeSet
@@ -32,23 +33,12 @@ class InterruptTimesTest {
     private val relief = relief(Material())
 
     private fun relief(material: Material): Mesh {
-        val side = 390
-        val positions = FloatArray(3 * side * side) {
-            val column = it / 3 % side
-            val row = it / 3 / side
-            when (it % 3) {
-                0 -> column / (side - 1f) - 0.5f
-                1 -> row / (side - 1f) - 0.5f
-                else -> 0.01f * ((column * 31 + row * 17) % 50)
-            }
+        val sheet = SampleScenes.sheet(390) { column, row, axis ->
+            listOf(column / 389f - 0.5f, row / 389f - 0.5f, 0.01f * ((column * 31 + row * 17) % 50))[axis]
         }
-        val squares = (side - 1) * (side - 1)
-        val triangles = IntArray(6 * squares) {
-            val square = (it / 6 * 7919L % squares).toInt()
-            val corner = square / (side - 1) * side + square % (side - 1)
-            corner + intArrayOf(0, 1, side, 1, side + 1, side)[it % 6]
-        }
-        return Mesh(positions, triangles, material)
+        val squares = sheet.triangleCount / 2
+        val shuffled = IntArray(6 * squares) { sheet.triangles[(it / 6 * 7919L % squares).toInt() * 6 + it % 6] }
+        return Mesh(sheet.positions, shuffled, material)
     }
 
     private fun scene(mesh: Mesh) = Scene(listOf(mesh), viewpoint = Camera.fit())

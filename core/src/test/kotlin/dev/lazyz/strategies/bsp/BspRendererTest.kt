@@ -45,24 +45,11 @@ class BspRendererTest {
     }
 
     /** A sheet of 2 [n]^2 triangles over -1..1 in x and y, whose height is [z]. */
-    private fun sheet(n: Int, material: Material = Material(), z: (x: Double, y: Double) -> Double): Mesh {
-        val positions = ArrayList<Float>()
-        for (j in 0..n) {
-            for (i in 0..n) {
-                val x = 2.0 * i / n - 1
-                val y = 2.0 * j / n - 1
-                positions += listOf(x.toFloat(), y.toFloat(), z(x, y).toFloat())
-            }
+    private fun sheet(n: Int, material: Material = Material(), z: (x: Double, y: Double) -> Double): Mesh =
+        SampleScenes.sheet(n + 1, material) { column, row, axis ->
+            val (x, y) = 2.0 * column / n - 1 to 2.0 * row / n - 1
+            listOf(x, y, z(x, y))[axis]
         }
-        val triangles = ArrayList<Int>()
-        for (j in 0 until n) {
-            for (i in 0 until n) {
-                val a = j * (n + 1) + i
-                triangles += listOf(a, a + 1, a + n + 2, a, a + n + 2, a + n + 1)
-            }
-        }
-        return Mesh(positions.toFloatArray(), triangles.toIntArray(), material)
-    }
 
     private fun camera(random: Random): Camera {
         val eye = Vector3d(random.nextDouble(-3.0, 3.0), random.nextDouble(-3.0, 3.0), random.nextDouble(-3.0, 3.0))

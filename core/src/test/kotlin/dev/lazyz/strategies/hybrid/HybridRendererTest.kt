@@ -9,6 +9,7 @@ import dev.lazyz.Raster
 import dev.lazyz.Region
 import dev.lazyz.RenderOptions
 import dev.lazyz.Rgba
+import dev.lazyz.SampleScenes
 import dev.lazyz.pipeline.Pane
 import dev.lazyz.render
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
@@ -111,20 +112,7 @@ class HybridRendererTest {
     fun sharedVerticesAreCountedOnce() {
         // A fine mesh, all visible: its shared vertices take far more bytes than its triangles alone
         val side = 30
-        val positions = FloatArray(3 * side * side) {
-            when (it % 3) {
-                0 -> (it / 3 % side).toFloat()
-                1 -> (it / 3 / side).toFloat()
-                else -> 0f
-            }
-        }
-        val triangles = IntArray(6 * (side - 1) * (side - 1)) {
-            val cell = it / 6
-            val corner = cell / (side - 1) * side + cell % (side - 1)
-            corner + intArrayOf(0, 1, side, 1, side + 1, side)[it % 6]
-        }
-        val normals = FloatArray(positions.size) { if (it % 3 == 2) 1f else 0f }
-        val scene = Scene(listOf(Mesh(positions, triangles, Material(), normals)))
+        val scene = Scene(listOf(SampleScenes.sheet(side) { x, y, axis -> listOf(x, y, 0)[axis] }.withSmoothNormals()))
         val counters = stream(HybridRenderer(), scene.primitives(raster).asFlow()).counters
         val records = 2 * (side - 1) * (side - 1)
         val vertices = 128L * side * side

@@ -135,23 +135,14 @@ class TiledMeshProperties {
      * [size].
      */
     private fun assertAttributes(random: Random, side: Int, size: Int) {
-        val positions = FloatArray(3 * side * side) { i ->
-            val vertex = i / 3
-            when (i % 3) {
-                0 -> (vertex % side + random.nextFloat()) / side * 4 - 2
-                1 -> (vertex / side + random.nextFloat()) / side * 4 - 2
-                else -> random.nextFloat() * 0.1f
-            }
-        }
-        val triangles = IntArray(6 * (side - 1) * (side - 1)) { i ->
-            val cell = i / 6
-            val corner = intArrayOf(0, 1, side, side, 1, side + 1)[i % 6]
-            cell / (side - 1) * side + cell % (side - 1) + corner
+        val sheet = SampleScenes.sheet(side) { column, row, axis ->
+            if (axis < 2) (listOf(column, row)[axis] + random.nextFloat()) / side * 4 - 2 else random.nextFloat() * 0.1f
         }
 
         fun numbers(size: Int) = FloatArray(size * side * side) { random.nextFloat() * 2 - 1 }
         for (shader in SHADERS) {
-            val mesh = Mesh(positions, triangles, Material(shader = shader), numbers(3), numbers(2), numbers(4))
+            val (material, normals, uvs) = Triple(Material(shader = shader), numbers(3), numbers(2))
+            val mesh = Mesh(sheet.positions, sheet.triangles, material, normals, uvs, numbers(4))
             val frame = Scene(listOf(mesh), emptyList(), SampleScenes.camera).frame(size, size)
             val expected = ZBufferRenderer().render(frame)
             assertTrue(expected.visible > size * size / 5)
