@@ -9,8 +9,9 @@ import java.util.Random
 
 /**
  * Frames of a mesh of a few small triangles, in different places of rasters of several tiles, each of another height.
- * What a renderer keeps of one of them has the wrong size, or the wrong content, for the next. The last four are of one
- * height: two have the same vertices, but not the same number of triangles, and two the same mesh, one with another.
+ * What a renderer keeps of one of them has the wrong size, or the wrong content, for the next. The last five are of one
+ * height: two have the same vertices, but not the same number of triangles, two the same mesh, one with another, and one
+ * has a mesh without triangles before a mesh.
  */
 internal fun tallMeshes(salt: Long): List<FrameCase> {
     val random = Random(salt)
@@ -21,7 +22,7 @@ internal fun tallMeshes(salt: Long): List<FrameCase> {
     val vertices = positions()
     val meshes = List(2) { inOrder(positions(), TRIANGLES) }
     return first + second + listOf(TRIANGLES / 2, TRIANGLES).map { screenMesh(raster, vertices, it) } +
-        listOf(1, 2).map { screenMeshes(raster, meshes.take(it)) }
+        listOf(meshes.take(1), meshes, listOf(inOrder(vertices, 0), meshes[1])).map { screenMeshes(raster, it) }
 }
 
 private const val FRAMES = 10

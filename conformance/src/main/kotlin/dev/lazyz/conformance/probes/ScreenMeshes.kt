@@ -12,6 +12,7 @@ import dev.lazyz.spi.Shader
 import dev.lazyz.world.Scene
 import dev.lazyz.world.camera.Camera
 import dev.lazyz.world.material.Material
+import dev.lazyz.world.material.Material.AlphaMode
 import dev.lazyz.world.material.Material.Shading
 import dev.lazyz.world.material.Texture
 import dev.lazyz.world.material.Texture.MipFilter
@@ -37,12 +38,22 @@ internal fun screenMeshes(raster: Raster, meshes: List<Mesh>): FrameCase =
     meshCase(raster, meshes, Coded(Camera.screen(), "Camera.screen()"))
 
 /** The mesh of the first [drawn] triangles whose corners, three each, are in [positions]. */
-internal fun inOrder(positions: FloatArray, drawn: Int): Mesh = Mesh(positions, IntArray(3 * drawn) { it })
+internal fun inOrder(positions: FloatArray, drawn: Int, isGlass: Boolean = false): Mesh =
+    Mesh(positions, IntArray(3 * drawn) { it }, if (isGlass) GLASS else Material())
+
+private val GLASS = Material(Rgba(1f, 0.5f, 0.25f, 0.5f), alphaMode = AlphaMode.BLEND)
 
 private fun meshCase(raster: Raster, meshes: List<Mesh>, camera: Coded<Camera>): FrameCase {
     val scene = Scene.builder().apply { meshes.forEach { add(it) } }.viewpoint(camera.value).build()
     val code = meshes.joinToString("", "Scene.builder()") {
-        ".add(Mesh(${code(it.positions)}, IntArray(${it.triangles.size}) { it }))"
+        val glass = if (it.material ==
+            GLASS
+        ) {
+            ", Material(${code(GLASS.baseColor)}, alphaMode = AlphaMode.BLEND)"
+        } else {
+            ""
+        }
+        ".add(Mesh(${code(it.positions)}, IntArray(${it.triangles.size}) { it }$glass))"
     } + ".viewpoint(${camera.code}).build().frame(${code(raster)})"
     return FrameCase(scene.frame(raster), code, scene)
 }
@@ -79,7 +90,7 @@ internal fun withinAUnit(salt: Long): FrameCase {
     val corners = List(SHEETS) {
         val side = 0.5f + random.nextFloat()
         val (x, y) = List(2) { random.nextFloat() - side / 2 }
-        val z = UNIT * random.nextInt(8) / 2
+        val z = UNIT * random.nextInt(16) / 4
         listOf(x to y, x + side to y, x to y + side).map { (x, y) -> listOf(x, y, z + tiltX * x + tiltY * y) }.flatten()
     }
     val eye = Vector3d(0.0, 0.0, 4.0)
@@ -92,19 +103,23 @@ internal fun withinAUnit(salt: Long): FrameCase {
 
 /**
  * A mesh of inclined triangles, and of slivers that are seen nearly edge-on between them: from the near to the far
- * plane in less than four samples, so that each has the depth of its first vertex.
+ * plane in less than four samples, so that each has the depth of its first vertex. If [withGlass], translucent triangles
+ * are between them, too.
  */
-internal fun slivers(salt: Long): FrameCase {
+internal fun slivers(salt: Long, withGlass: Boolean): FrameCase {
     val random = Random(salt)
-    val inclined = List(SHEETS) {
+    fun inclined() = List(SHEETS) {
         List(3) { List(2) { 2 * SHORT * random.nextFloat() - SHORT / 2 } + random.nextFloat() }
     }
+    val plates = inclined()
     val slivers = List(2 * SHEETS) {
         val (x, y) = List(2) { SHORT * random.nextFloat() }
         listOf(listOf(x, y, 0f), listOf(x + 3, y, 1f), listOf(x, y + SHORT / 4, 0.5f * random.nextFloat()))
             .shuffled(random)
     }
-    return screenMesh(Raster(SHORT, SHORT), (inclined + slivers).map { it.flatten() }.shuffled(random))
+    val opaque = inOrder((plates + slivers).map { it.flatten() }.shuffled(random).flatten().toFloatArray(), 3 * SHEETS)
+    val glass = inOrder(inclined().flatten().flatten().toFloatArray(), SHEETS, isGlass = true)
+    return screenMeshes(Raster(SHORT, SHORT), listOfNotNull(opaque, glass.takeIf { withGlass }))
 }
 
 /** A mesh of inclined triangles at all distances, on a [raster] of few samples. */

@@ -144,9 +144,10 @@ public sealed interface SizeRules : RulesForOne {
         about = [Symptom.ORDER], tries = 3,
     )
     public fun rule_5_1_trianglesCloseToAWallAreDrawnCorrectly(@ForAll salt: Long) {
-        Judgement(renderer(), closeToAWall(salt)).equalsReference()
-        Judgement(renderer(), withinAUnit(salt)).equalsReference()
-        Judgement(renderer(), slivers(salt)).equalsReference()
+        val renderer = renderer()
+        Judgement(renderer, closeToAWall(salt)).equalsReference()
+        repeat(MANY_SHEETS) { Judgement(renderer, withinAUnit(salt + it)).equalsReference() }
+        Judgement(renderer, slivers(salt, Capability.TRANSPARENCY in renderer.capabilities)).equalsReference()
     }
 
     /** Dozens of primitives at one sample. Also blended, by renderers that blend. */
@@ -254,3 +255,5 @@ public sealed interface SizeRules : RulesForOne {
         difference(expected, behind.rendering.image)?.let { behind.fail("behind millions: ", it) }
     }
 }
+
+private const val MANY_SHEETS = 20

@@ -11,6 +11,7 @@ import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.judgement.notMeasured
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.failAll
+import dev.lazyz.conformance.probes.fewTriangles
 import dev.lazyz.conformance.probes.renderAll
 import dev.lazyz.conformance.probes.smallFrames
 import dev.lazyz.conformance.probes.threads.WorkerProbe
@@ -94,8 +95,11 @@ private const val RENDERINGS = 48
 /** Fails if each rendering, each failed one, or each configured renderer leaves an object on the heap. */
 internal fun leavesNoObjects(renderer: Renderer, options: RenderOptions) {
     val configured = renderer.configured(options)
+    var salt = 0L
+
+    /** One frame has a mesh that was never rendered before. */
     fun render() {
-        renderAll(configured, smallFrames)
+        renderAll(configured, smallFrames + fewTriangles(salt++, SMALL).frame)
         failAll(configured, smallFrames)
         renderer.configured(options.withThreads(2))
     }
@@ -128,6 +132,8 @@ private fun doesNotGrow(renderer: Renderer, what: String, render: () -> Unit) {
     if (others.total >= LIMIT / 2) notMeasured("other threads of this process hold more and more memory")
     fail(renderer, "after each $what there are $growth")
 }
+
+private val SMALL = Raster(24, 16)
 
 /** An object takes at least 16 bytes. */
 private const val LIMIT = 16L * RENDERINGS
