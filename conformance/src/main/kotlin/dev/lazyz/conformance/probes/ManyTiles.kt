@@ -10,8 +10,8 @@ import java.util.Random
 /**
  * Frames of a mesh of a few small triangles, in different places of rasters of several tiles, each of another height.
  * What a renderer keeps of one of them has the wrong size, or the wrong content, for the next. The last five are of one
- * height: two have the same vertices, but not the same number of triangles, two the same mesh, one with another, and one
- * has a mesh without triangles before a mesh.
+ * height: two have the same vertices, but not the same number of triangles, two the same mesh, one with another, and
+ * one has a mesh without triangles before a mesh.
  */
 internal fun tallMeshes(salt: Long): List<FrameCase> {
     val random = Random(salt)

@@ -103,8 +103,8 @@ internal fun withinAUnit(salt: Long): FrameCase {
 
 /**
  * A mesh of inclined triangles, and of slivers that are seen nearly edge-on between them: from the near to the far
- * plane in less than four samples, so that each has the depth of its first vertex. If [withGlass], translucent triangles
- * are between them, too.
+ * plane in less than four samples, so that each has the depth of its first vertex. If [withGlass], translucent
+ * triangles are between them, too.
  */
 internal fun slivers(salt: Long, withGlass: Boolean): FrameCase {
     val random = Random(salt)

@@ -128,7 +128,9 @@ internal fun whileTheyMeet(where: Where, block: (meeting: Meeting, round: Int) -
 /** One round is usually enough, except where tiles or a busy machine let threads meet less often. */
 private const val MOST_ROUNDS = 3
 
-/** Fails unless [renderer], which several threads use, renders [frame] as [expected], by default as the oracle [quiet]. */
+/**
+ * Fails unless [renderer], which several threads use, renders [frame] as [expected], by default as the oracle [quiet].
+ */
 internal fun rightInACrowd(
     renderer: Renderer,
     quiet: FrameCase,
