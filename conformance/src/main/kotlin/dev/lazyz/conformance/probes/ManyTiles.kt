@@ -79,6 +79,88 @@ internal fun wideMesh(salt: Long): FrameCase {
     return screenMesh(Raster(side, side), corners)
 }
 
+/** A mesh of triangles of a few samples each over several tiles, most of which have no other triangles. */
+internal fun specks(salt: Long): FrameCase {
+    val random = Random(salt)
+    val triangles = List(SPECKS) {
+        val size = 1 + random.nextInt(4)
+        triangle(random.nextInt(SIDE - size), random.nextInt(SIDE - size), size, random.nextFloat())
+    }
+    return screenMesh(Raster(SIDE, SIDE), triangles)
+}
+
+/** A mesh of more than four thousand triangles within one tile, each of which covers one sample, mostly alone. */
+internal fun crowdedTile(salt: Long): FrameCase {
+    val random = Random(salt)
+    val places = List(TILE * TILE) { it } + List(HIDDEN) { random.nextInt(TILE * TILE) }
+    val triangles = places.shuffled(random).map { place ->
+        val (x, y) = listOf(place % TILE, place / TILE).map { it.toFloat() }
+        val z = random.nextFloat()
+        listOf(x, y, z, x + ONE_SAMPLE, y, z, x, y + ONE_SAMPLE, z)
+    }
+    return screenMesh(Raster(TILE, TILE), triangles)
+}
+
+/**
+ * Wide triangles with an edge that goes exactly through the samples of the last column, or row, of tiles, which belong
+ * to the triangle only if the top-left rule says so. Wide triangles behind them are visible there.
+ */
+internal fun edgesAtTheEndsOfTiles(salt: Long): List<FrameCase> {
+    val random = Random(salt)
+    return List(EDGES) {
+        val end = 8 * (1 + random.nextInt(SIDE / 8 - 1)) - 1
+        // Half of them are at the ends of tiles of any usual size
+        val at = (if (random.nextBoolean()) end or 63 else end) + 0.5f
+        val isColumn = random.nextBoolean()
+        val isAfter = random.nextInt(4) == 0
+        val front = halfPlane(at, isAfter, isColumn, middle = SIDE * random.nextFloat(), random.nextFloat() / 2)
+        val behind = listOf(-1f, -1f, 0.75f, 4f * SIDE, -1f, 0.75f, -1f, 4f * SIDE, 0.75f)
+        screenMesh(Raster(SIDE, SIDE), listOf(front, behind).shuffled(random))
+    }
+}
+
+/** A triangle at the depth [z] that covers all columns, or rows, after or before a place on the raster. */
+private fun halfPlane(at: Float, isAfter: Boolean, isColumn: Boolean, middle: Float, z: Float): List<Float> {
+    val tip = if (isAfter) at + FAR_AWAY else at - FAR_AWAY
+    return listOf(at to middle - FAR_AWAY, at to middle + FAR_AWAY, tip to middle).flatMap { (along, across) ->
+        if (isColumn) listOf(along, across, z) else listOf(across, along, z)
+    }
+}
+
+/** Triangles of many sizes behind two nearer ones, which leave a gap of a few columns, or rows, between them. */
+internal fun seenThroughGaps(salt: Long): List<FrameCase> {
+    val random = Random(salt)
+    return List(EDGES) {
+        val gap = random.nextInt(SIDE - TILE)
+        val end = gap + 1 + random.nextInt(TILE / 4)
+        val isColumn = random.nextBoolean()
+        val sides = listOf(false to gap, true to end).map { (isAfter, at) ->
+            halfPlane(at.toFloat(), isAfter, isColumn, SIDE / 2f, random.nextFloat() / 4)
+        }
+        val behind = List(BEHIND) {
+            val size = 1 + random.nextInt(SIDE)
+            val along = maxOf(0, gap - random.nextInt(size))
+            val across = random.nextInt(SIDE)
+            val z = 0.5f + random.nextFloat() / 2
+            if (isColumn) triangle(along, across, size, z) else triangle(across, along, size, z)
+        }
+        screenMesh(Raster(SIDE, SIDE), (sides + behind).shuffled(random))
+    }
+}
+
+/** Sixteen tiles of 64, so that triangles can be wide. */
+private const val SIDE = 200
+
+private const val EDGES = 16
+private const val BEHIND = 6
+private const val SPECKS = 60
+private const val TILE = 64
+private const val HIDDEN = 200
+
+/** Side of a triangle that covers the sample at its right angle, and not those beside and below it. */
+private const val ONE_SAMPLE = 1.5f
+private const val FAR_AWAY = 4000f
+
 /** More than the largest side of a tile. */
 private const val WIDE = 520
 

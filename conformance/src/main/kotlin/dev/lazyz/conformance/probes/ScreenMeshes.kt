@@ -46,14 +46,9 @@ private val GLASS = Material(Rgba(1f, 0.5f, 0.25f, 0.5f), alphaMode = AlphaMode.
 private fun meshCase(raster: Raster, meshes: List<Mesh>, camera: Coded<Camera>): FrameCase {
     val scene = Scene.builder().apply { meshes.forEach { add(it) } }.viewpoint(camera.value).build()
     val code = meshes.joinToString("", "Scene.builder()") {
-        val glass = if (it.material ==
-            GLASS
-        ) {
-            ", Material(${code(GLASS.baseColor)}, alphaMode = AlphaMode.BLEND)"
-        } else {
-            ""
-        }
-        ".add(Mesh(${code(it.positions)}, IntArray(${it.triangles.size}) { it }$glass))"
+        val glass = ", Material(${code(GLASS.baseColor)}, alphaMode = AlphaMode.BLEND)"
+        val material = if (it.material == GLASS) glass else ""
+        ".add(Mesh(${code(it.positions)}, IntArray(${it.triangles.size}) { it }$material))"
     } + ".viewpoint(${camera.code}).build().frame(${code(raster)})"
     return FrameCase(scene.frame(raster), code, scene)
 }
@@ -134,78 +129,9 @@ internal fun fewTriangles(salt: Long, raster: Raster): FrameCase {
     return screenMesh(raster, triangles)
 }
 
-/** A mesh of triangles of a few samples each over several tiles, most of which have no other triangles. */
-internal fun specks(salt: Long): FrameCase {
-    val random = Random(salt)
-    val triangles = List(SPECKS) {
-        val size = 1 + random.nextInt(4)
-        triangle(random.nextInt(SIDE - size), random.nextInt(SIDE - size), size, random.nextFloat())
-    }
-    return screenMesh(Raster(SIDE, SIDE), triangles)
-}
-
-/** A mesh of more than four thousand triangles within one tile, each of which covers one sample, mostly alone. */
-internal fun crowdedTile(salt: Long): FrameCase {
-    val random = Random(salt)
-    val places = List(TILE * TILE) { it } + List(HIDDEN) { random.nextInt(TILE * TILE) }
-    val triangles = places.shuffled(random).map { place ->
-        val (x, y) = listOf(place % TILE, place / TILE).map { it.toFloat() }
-        val z = random.nextFloat()
-        listOf(x, y, z, x + ONE_SAMPLE, y, z, x, y + ONE_SAMPLE, z)
-    }
-    return screenMesh(Raster(TILE, TILE), triangles)
-}
-
 /** Returns a triangle with its right angle at ([x], [y]), whose short sides have [size] samples, at the depth [z]. */
 internal fun triangle(x: Int, y: Int, size: Int, z: Float): List<Float> =
     listOf(x, y, z, x + size, y, z, x, y + size, z).map { it.toFloat() }
-
-/**
- * Wide triangles with an edge that goes exactly through the samples of the last column, or row, of tiles, which belong
- * to the triangle only if the top-left rule says so. Wide triangles behind them are visible there.
- */
-internal fun edgesAtTheEndsOfTiles(salt: Long): List<FrameCase> {
-    val random = Random(salt)
-    return List(EDGES) {
-        val end = 8 * (1 + random.nextInt(SIDE / 8 - 1)) - 1
-        // Half of them are at the ends of tiles of any usual size
-        val at = (if (random.nextBoolean()) end or 63 else end) + 0.5f
-        val isColumn = random.nextBoolean()
-        val isAfter = random.nextInt(4) == 0
-        val front = halfPlane(at, isAfter, isColumn, middle = SIDE * random.nextFloat(), random.nextFloat() / 2)
-        val behind = listOf(-1f, -1f, 0.75f, 4f * SIDE, -1f, 0.75f, -1f, 4f * SIDE, 0.75f)
-        screenMesh(Raster(SIDE, SIDE), listOf(front, behind).shuffled(random))
-    }
-}
-
-/** A triangle at the depth [z] that covers all columns, or rows, after or before a place on the raster. */
-private fun halfPlane(at: Float, isAfter: Boolean, isColumn: Boolean, middle: Float, z: Float): List<Float> {
-    val tip = if (isAfter) at + FAR_AWAY else at - FAR_AWAY
-    return listOf(at to middle - FAR_AWAY, at to middle + FAR_AWAY, tip to middle).flatMap { (along, across) ->
-        if (isColumn) listOf(along, across, z) else listOf(across, along, z)
-    }
-}
-
-/** Triangles of many sizes behind two nearer ones, which leave a gap of a few columns, or rows, between them. */
-internal fun seenThroughGaps(salt: Long): List<FrameCase> {
-    val random = Random(salt)
-    return List(EDGES) {
-        val gap = random.nextInt(SIDE - TILE)
-        val end = gap + 1 + random.nextInt(TILE / 4)
-        val isColumn = random.nextBoolean()
-        val sides = listOf(false to gap, true to end).map { (isAfter, at) ->
-            halfPlane(at.toFloat(), isAfter, isColumn, SIDE / 2f, random.nextFloat() / 4)
-        }
-        val behind = List(BEHIND) {
-            val size = 1 + random.nextInt(SIDE)
-            val along = maxOf(0, gap - random.nextInt(size))
-            val across = random.nextInt(SIDE)
-            val z = 0.5f + random.nextFloat() / 2
-            if (isColumn) triangle(along, across, size, z) else triangle(across, along, size, z)
-        }
-        screenMesh(Raster(SIDE, SIDE), (sides + behind).shuffled(random))
-    }
-}
 
 /** Shows every attribute of a fragment. */
 private object EveryAttribute : Shader {
@@ -315,9 +241,6 @@ private fun grid(random: Random, cells: Int, height: Float, unevenness: Float): 
 
 private const val TEXELS = 16
 
-/** Sixteen tiles of 64, so that triangles can be wide. */
-private const val SIDE = 200
-
 /** Nine tiles of 64. */
 private const val FEW = 136
 private const val CLOSE = 80
@@ -331,20 +254,10 @@ private const val ANGLE = 30.0
 private const val TOO_NEAR = 1e-7
 private const val FAR_PLANE = 100.0
 
-private const val EDGES = 16
-private const val BEHIND = 6
-private const val SPECKS = 60
 private const val SURFACES = 24
-
-private const val TILE = 64
-private const val HIDDEN = 200
-
-/** Side of a triangle that covers the sample at its right angle, and not those beside and below it. */
-private const val ONE_SAMPLE = 1.5f
 
 /** Greatest number of triangles of a mesh. */
 private const val MOST_OF_A_MESH = 40
-private const val FAR_AWAY = 4000f
 
 /** 512 units of depth, which a float can still tell apart. */
 private const val LITTLE = 1f / (1 shl 22)

@@ -40,12 +40,12 @@ public sealed interface CounterRules : RulesForOne {
         val witness = ShadingWitness(case.frame)
         val judgement = Judgement(renderer(), case.watched(witness.frame))
         val counters = judgement.rendering.counters
+        val primitives = case.frame.primitives.size.toLong()
+
         // Only the frame itself has meshes, whose triangles need not be primitives before they are looked at
-        for (counted in listOf(counters, Judgement(renderer(), case).rendering.counters)) {
-            val primitives = case.frame.primitives.size.toLong()
-            if (counted.primitives != primitives) {
-                judgement.fail("$primitives primitives were submitted, but ${counted.primitives} are counted")
-            }
+        for (each in listOf(judgement, Judgement(renderer(), case))) {
+            val counted = each.rendering.counters.primitives
+            if (counted != primitives) each.fail("$primitives primitives were submitted, but $counted are counted")
         }
         if (counters.shadingCalls != witness.count) {
             judgement.fail("${witness.count} shading calls were made, but ${counters.shadingCalls} are counted")

@@ -97,8 +97,8 @@ internal fun leavesNoObjects(renderer: Renderer, options: RenderOptions) {
     val configured = renderer.configured(options)
     var salt = 0L
 
-    /** One frame has a mesh that was never rendered before. */
     fun render() {
+        // One frame has a mesh that was never rendered before
         renderAll(configured, smallFrames + fewTriangles(salt++, SMALL).frame)
         failAll(configured, smallFrames)
         renderer.configured(options.withThreads(2))
