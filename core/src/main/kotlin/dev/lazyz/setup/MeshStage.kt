@@ -89,6 +89,7 @@ internal class MeshStage(val stage: VertexStage, private val lighting: Lighting,
 
     /** Transforms all vertices of [mesh]. */
     private fun meshVertices(mesh: Mesh, checkpoint: Checkpoint): Vertices {
+        checkpoint.pass() // the arrays take time, too
         val vertices = Vertices(mesh.vertexCount, Vertices.strideOf(mesh))
         for (i in 0 until mesh.vertexCount) {
             if (Checkpoint.isDue(i)) checkpoint.pass()

@@ -29,6 +29,10 @@ public class FrameCase(public val frame: Frame, public val code: String) {
     internal var scene: Scene? = null
         private set
 
+    /** A Kotlin expression whose value is [scene], if [frame] is all of what it shows on a raster; otherwise null. */
+    internal var sceneCode: String? = null
+        private set
+
     /** The frame as a scene of the corpus, which programs in any language read; null if it is none. */
     internal var corpusScene: String? = null
         private set
@@ -36,6 +40,12 @@ public class FrameCase(public val frame: Frame, public val code: String) {
     internal constructor(frame: Frame, code: String, scene: Scene?, corpusScene: String? = null) : this(frame, code) {
         this.scene = scene
         this.corpusScene = corpusScene
+    }
+
+    /** The frame of [scene] on [raster]. */
+    internal constructor(scene: Coded<Scene>, raster: Raster) :
+        this(scene.value.frame(raster), "${scene.code}.frame(${code(raster)})", scene.value) {
+        sceneCode = scene.code
     }
 
     /**

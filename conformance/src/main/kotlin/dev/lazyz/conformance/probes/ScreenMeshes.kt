@@ -1,5 +1,6 @@
 package dev.lazyz.conformance.probes
 
+import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.cases.Coded
@@ -49,8 +50,8 @@ private fun meshCase(raster: Raster, meshes: List<Mesh>, camera: Coded<Camera>):
         val glass = ", Material(${code(GLASS.baseColor)}, alphaMode = AlphaMode.BLEND)"
         val material = if (it.material == GLASS) glass else ""
         ".add(Mesh(${code(it.positions)}, IntArray(${it.triangles.size}) { it }$material))"
-    } + ".viewpoint(${camera.code}).build().frame(${code(raster)})"
-    return FrameCase(scene.frame(raster), code, scene)
+    } + ".viewpoint(${camera.code}).build()"
+    return FrameCase(Coded(scene, code), raster)
 }
 
 /**
@@ -97,6 +98,30 @@ internal fun withinAUnit(salt: Long): FrameCase {
 }
 
 /**
+ * Meshes of a few triangles of any size that a float has, with a far plane as far as possible: the depths are all
+ * equal, and products are near to the ends of the numbers.
+ */
+internal fun immense(salt: Long): List<FrameCase> {
+    val random = Random(salt)
+    return SCALES.flatMap { scale ->
+        val corners = FloatArray(9 * SHEETS) {
+            (3 * scale * (random.nextFloat() - 0.5f) - if (it % 3 == 2) 5 * scale else 0.0).toFloat()
+        }
+        val line = "Vector3d(), Vector3d(0.0, 0.0, -1.0), Vector3d(0.0, 1.0, 0.0)"
+        FAR_PLANES.map { far ->
+            val camera = Camera.orthographic(Vector3d(), AHEAD, UP, 4 * scale, 0.0, far)
+            val code = "Camera.orthographic($line, ${4 * scale}, 0.0, $far)"
+            meshCase(Raster(SHORT, SHORT), listOf(inOrder(corners, SHEETS)), Coded(camera, code))
+        }
+    }
+}
+
+private val SCALES = listOf(1e-30, 1.0, 1e15, 1e30)
+private val FAR_PLANES = listOf(1e33, 1e300)
+private val AHEAD = Vector3d(0.0, 0.0, -1.0)
+private val UP = Vector3d(0.0, 1.0, 0.0)
+
+/**
  * A mesh of inclined triangles, and of slivers that are seen nearly edge-on between them: from the near to the far
  * plane in less than four samples, so that each has the depth of its first vertex. If [withGlass], translucent
  * triangles are between them, too.
@@ -127,6 +152,17 @@ internal fun fewTriangles(salt: Long, raster: Raster): FrameCase {
         }.flatten()
     }
     return screenMesh(raster, triangles)
+}
+
+/** The frame of a mesh of [grains] small triangles in random order, on few samples. */
+internal fun dust(salt: Long, grains: Int): Frame {
+    val random = Random(salt)
+    val positions = FloatArray(9 * grains)
+    for (i in positions.indices) {
+        val most = if (i % 3 == 2) DUSTY_DEPTH else DUSTY.width.toFloat()
+        positions[i] = if (i % 9 < 3) most * random.nextFloat() else positions[i - 3] + random.nextFloat() / 8
+    }
+    return Scene(listOf(inOrder(positions, grains)), viewpoint = Camera.screen()).frame(DUSTY)
 }
 
 /** Returns a triangle with its right angle at ([x], [y]), whose short sides have [size] samples, at the depth [z]. */
@@ -253,6 +289,11 @@ private const val UNIT = 0.07f
 private const val ANGLE = 30.0
 private const val TOO_NEAR = 1e-7
 private const val FAR_PLANE = 100.0
+
+private val DUSTY = Raster(8, 8)
+
+/** So near to the near plane that nothing is clipped. */
+private const val DUSTY_DEPTH = 0.75f
 
 private const val SURFACES = 24
 

@@ -92,7 +92,7 @@ public sealed interface CounterRules : RulesForOne {
         }
     }
 
-    /** At most all fragments pass, and where nothing is covered no depth is computed. */
+    /** At most all fragments pass, and at most all wait; where nothing is covered no depth is computed. */
     @Rule(
         intent = "A fragment passes at most once, and where nothing is covered there is no depth to compute.",
         look = "Count a pass where a fragment wins the depth comparison, not where it is looked up later.",
@@ -103,6 +103,9 @@ public sealed interface CounterRules : RulesForOne {
         val covered = Recording.of(ReferenceRenderer(), case.frame).counters.fragments
         if (counters.depthPasses > covered) {
             judgement.fail("$covered samples are covered, but ${counters.depthPasses} depth passes are counted")
+        }
+        if (counters.peakSuspensions !in 0..covered) {
+            judgement.fail("$covered samples are covered, but ${counters.peakSuspensions} peak suspensions are counted")
         }
         if (counters.depthEvaluations < 0 || (covered == 0L && counters.depthEvaluations != 0L)) {
             judgement.fail("$covered samples are covered, but ${counters.depthEvaluations} depths are computed")

@@ -69,13 +69,16 @@ public sealed interface PictureRules : RulesForOne {
         about = [Symptom.BACKGROUND],
     )
     public fun rule_4_3_backgroundIsVisibleWhereNoFragmentPasses(
-        @ForAll(supplier = ScreenCases::class) case: FrameCase,
+        @ForAll(supplier = ScreenCases::class) onScreen: FrameCase,
+        @ForAll(supplier = WorldCases::class) world: FrameCase,
     ) {
         // Put the background in front of everything, behind everything, and at the depth of a visible sample
-        val visible = Recording.of(ReferenceRenderer(), case.frame).image.depth
-        for (depth in listOf(0, Int.MAX_VALUE, visible[visible.size / 2])) {
-            val raster = case.frame.raster.withBackgroundDepth(depth)
-            Judgement(renderer(), case.on(raster)).equalsReference()
+        for (case in listOf(onScreen, world)) {
+            val visible = Recording.of(ReferenceRenderer(), case.frame).image.depth
+            for (depth in listOf(0, Int.MAX_VALUE, visible[visible.size / 2])) {
+                val raster = case.frame.raster.withBackgroundDepth(depth)
+                Judgement(renderer(), case.on(raster)).equalsReference()
+            }
         }
     }
 

@@ -23,6 +23,7 @@ import dev.lazyz.conformance.oracle.Selection
 import dev.lazyz.conformance.probes.closeToAWall
 import dev.lazyz.conformance.probes.crowdedTile
 import dev.lazyz.conformance.probes.edgesAtTheEndsOfTiles
+import dev.lazyz.conformance.probes.immense
 import dev.lazyz.conformance.probes.longRasters
 import dev.lazyz.conformance.probes.seenThroughGaps
 import dev.lazyz.conformance.probes.slivers
@@ -134,8 +135,8 @@ public sealed interface SizeRules : RulesForOne {
     }
 
     /**
-     * Many triangles hardly in front of a wall, and hardly behind it; within a unit of depth of each other; and seen
-     * edge-on.
+     * Many triangles hardly in front of a wall, and hardly behind it; within a unit of depth of each other; of any size,
+     * with equal depths; and seen edge-on.
      */
     @Rule(
         intent = "A fragment that is nearer by a single unit of depth is visible, however many others are near it.",
@@ -146,6 +147,7 @@ public sealed interface SizeRules : RulesForOne {
     public fun rule_5_1_trianglesCloseToAWallAreDrawnCorrectly(@ForAll salt: Long) {
         val renderer = renderer()
         Judgement(renderer, closeToAWall(salt)).equalsReference()
+        for (case in immense(salt)) Judgement(renderer, case).equalsReference()
         repeat(MANY_SHEETS) { Judgement(renderer, withinAUnit(salt + it)).equalsReference() }
         Judgement(renderer, slivers(salt, Capability.TRANSPARENCY in renderer.capabilities)).equalsReference()
     }

@@ -29,6 +29,7 @@ import dev.lazyz.conformance.probes.threads.atOnce
 import dev.lazyz.conformance.probes.threads.meshesAreIndependent
 import dev.lazyz.conformance.probes.threads.reportsInterrupt
 import dev.lazyz.conformance.probes.threads.rightInACrowd
+import dev.lazyz.conformance.probes.threads.waitsForNoOther
 import dev.lazyz.conformance.probes.ways
 import java.util.Random
 import net.jqwik.api.ForAll
@@ -37,11 +38,13 @@ import net.jqwik.api.ForAll
 public sealed interface ThreadRules : RulesForOne {
     /**
      * Renderings in several threads that query spans and colours at the same time, or draw meshes, do not disturb each
-     * other.
+     * other, nor does one wait for another.
      */
     @Rule(
         intent = "Several threads may use a renderer at once, at any moment of their renderings.",
-        look = "Look for fragments, spans and rows in fields of the renderer, or in state shared by all renderings.",
+        look =
+        "Look for fragments, spans and rows in fields of the renderer, for state shared by all renderings, and " +
+            "for long work under a lock.",
         tries = 4,
     )
     public fun rule_7_1_concurrentRenderingsAreIndependent(@ForAll salt: Long) {
@@ -54,6 +57,7 @@ public sealed interface ThreadRules : RulesForOne {
         val selected = KindOfWork.SELECTED
         if (selected.isFor(renderer)) independent(renderer.configured(selected.options(threads = 1)), selected, salt)
         meshesAreIndependent(renderer, salt)
+        waitsForNoOther(renderer, salt)
     }
 
     private fun independent(way: Renderer, kind: KindOfWork, salt: Long) {

@@ -32,6 +32,7 @@ import dev.lazyz.conformance.probes.memory.leavesNoSizes
 import dev.lazyz.conformance.probes.tallMeshes
 import dev.lazyz.conformance.probes.threads.atOnce
 import dev.lazyz.conformance.probes.threads.endsInterrupted
+import dev.lazyz.conformance.probes.threads.endsSoon
 import dev.lazyz.strategies.lists.ListsRenderer
 import java.util.Random
 import net.jqwik.api.ForAll
@@ -136,6 +137,16 @@ public sealed interface UseRules : RulesForOne {
         val renderer = renderer()
         endsInterrupted(renderer, case)
         Judgement(renderer, case).equalsReference()
+    }
+
+    /** A thread that is interrupted while it draws very many triangles soon ends, or draws all of them. */
+    @Rule(
+        intent = "An interrupt ends a long rendering: an InterruptedException after most of the work is no use.",
+        look = "Look for loops over triangles, samples or nodes that do not check whether the thread is interrupted.",
+        isSpecial = true,
+    )
+    public fun rule_7_1_interruptedRenderingsEndSoon() {
+        endsSoon(renderer())
     }
 
     /** An exception thrown by the sink reaches the caller unchanged, and the sink gets no further row. */

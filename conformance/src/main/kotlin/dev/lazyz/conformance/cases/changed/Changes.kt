@@ -5,14 +5,20 @@ import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
+import dev.lazyz.conformance.cases.Coded
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.UncoveredPrimitive
 import dev.lazyz.conformance.cases.code
 import dev.lazyz.world.surface.Polygon
 import java.util.Random
 
-/** Returns the same primitives on [raster], which must have the same size. */
-internal fun FrameCase.on(raster: Raster): FrameCase =
+/** Returns the same scene, or else the same primitives, on [raster], which must have the same size. */
+internal fun FrameCase.on(raster: Raster): FrameCase {
+    val code = sceneCode ?: return withPrimitivesOn(raster)
+    return FrameCase(Coded(checkNotNull(scene), code), raster)
+}
+
+private fun FrameCase.withPrimitivesOn(raster: Raster): FrameCase =
     FrameCase(
         Frame(raster, frame.primitives),
         "$code\n    .let { Frame(${code(raster)}, it.primitives) }",

@@ -96,11 +96,7 @@ internal object WorldFrames {
                 val camera = aim.on(raster)
                 val scene = exposure.value(Scene(list.map { it.value }, sources.map { it.value }, camera.value))
                 val parts = "${lines(list)},\n    ${lines(sources)},\n    ${camera.code}"
-                FrameCase(
-                    scene.frame(raster),
-                    "Scene(\n    $parts,\n)${exposure.code}.frame(${code(raster)})",
-                    scene,
-                )
+                FrameCase(Coded(scene, "Scene(\n    $parts,\n)${exposure.code}"), raster)
             }
 
     private fun lines(list: List<Coded<*>>): String =

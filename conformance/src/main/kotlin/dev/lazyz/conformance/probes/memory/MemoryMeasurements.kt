@@ -5,6 +5,7 @@ import dev.lazyz.Frame
 import dev.lazyz.Primitive
 import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
+import dev.lazyz.RenderOptions.Coherence
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.StreamingRenderer
@@ -14,6 +15,7 @@ import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.probes.threads.KindOfWork
+import dev.lazyz.conformance.probes.threads.Stepping
 import dev.lazyz.conformance.probes.ways
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Spans
@@ -67,6 +69,12 @@ internal fun holdsWhatItReports(renderer: Renderer) {
             stripes(kind, WIDE, FEW_ROWS, onQuery)
         }
     }
+    if (Capability.COHERENCE in renderer.capabilities) {
+        val stepping = renderer.configured(RenderOptions(Coherence.INCREMENTAL, threads = 1))
+        holdsWhatItReports(stepping, "$CHAINS primitives in a row, shaded by steps", rows = 1) { onQuery ->
+            Frame(Raster(CHAINS, 1), List(CHAINS) { Stepping(Stripe(it..it, 0..0, 1000, onQuery)) })
+        }
+    }
     if (Capability.TRANSPARENCY !in renderer.capabilities) return
     holdsWhatItReports(renderer, "$DEEP translucent layers on $DEEP_SIDE x $DEEP_SIDE samples", DEEP_SIDE) { onQuery ->
         val layers = List(DEEP) { Stripe(0..<DEEP_SIDE, 0..<DEEP_SIDE, 1000 + it, onQuery) }
@@ -82,6 +90,7 @@ private fun holdsWhatItReports(renderer: Renderer, what: String, rows: Int, fram
     }
 }
 
+private const val CHAINS = 1 shl 17
 private const val DEEP = 256
 private const val DEEP_SIDE = 64
 

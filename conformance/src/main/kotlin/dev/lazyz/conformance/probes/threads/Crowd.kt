@@ -199,7 +199,7 @@ internal fun countsEachTileOnce(renderer: Renderer) {
 }
 
 /** A primitive that shading can step along. */
-private class Stepping(private val whole: Primitive) : Primitive by whole {
+internal class Stepping(private val whole: Primitive) : Primitive by whole {
     override fun shadingCursor(x: Int, y: Int): ShadingCursor = CountingCursor(whole::shade, x, y)
 }
 

@@ -3,18 +3,26 @@ package dev.lazyz.conformance.probes.threads
 import dev.lazyz.Capability
 import dev.lazyz.Counters
 import dev.lazyz.Frame
+import dev.lazyz.Primitive
+import dev.lazyz.Raster
 import dev.lazyz.RenderOptions
 import dev.lazyz.Renderer
 import dev.lazyz.RowSink
 import dev.lazyz.Selector
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.Judgement
 import dev.lazyz.conformance.judgement.Recorder
 import dev.lazyz.conformance.judgement.Recording
+import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.judgement.difference
+import dev.lazyz.conformance.judgement.fail
+import dev.lazyz.conformance.judgement.notMeasured
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.Asking
 import dev.lazyz.conformance.probes.answer
+import dev.lazyz.conformance.probes.dust
+import dev.lazyz.spi.Fragment
 import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
 
@@ -145,3 +153,100 @@ private class InterruptedRendering(
         const val MOST_QUESTIONS = 200
     }
 }
+
+/**
+ * Fails if [renderer], in each of several attempts, throws an InterruptedException late: after more than a part of the
+ * processor time that its thread takes for the whole picture of very many triangles, or of rows of slow colours. Also
+ * fails if it then leaves the interrupt status set.
+ */
+internal fun endsSoon(renderer: Renderer) {
+    if (!times.isCurrentThreadCpuTimeSupported) notMeasured("this JVM does not measure the processor time of a thread")
+    val configured = renderer.configured(RenderOptions(threads = 1))
+    endsSoon(configured, "$GRAINS triangles") { dust(it, GRAINS) }
+    val rows = Slow(Stripe(0..<WIDE, 0..1, 1000))
+    endsSoon(configured, "two rows of $WIDE samples with slow colours") { Frame(Raster(WIDE, 2), listOf(rows)) }
+}
+
+private fun endsSoon(renderer: Renderer, what: String, frame: (salt: Long) -> Frame) {
+    var salt = 0L
+
+    fun rendered(moment: Long): TimedRendering {
+        TryUnderWay.current?.goesOn()
+        val rendering = TimedRendering(renderer, frame(salt++), moment)
+        rendering.await()
+        if (rendering.isTwice) fail(renderer, "drawing $what: threw InterruptedException, but left the status set")
+        return rendering
+    }
+    val whole = (1..ATTEMPTS).minOf { rendered(Long.MAX_VALUE).whole }
+    for (part in 0 until PARTS) {
+        if ((1..ATTEMPTS).any { rendered(whole * part / PARTS).late <= maxOf(whole / PARTS, SHORT) }) continue
+        val moment = "after $part of $PARTS parts of the time that it takes to draw $what"
+        fail(renderer, "interrupted $moment, it goes on for more than one part, and then throws InterruptedException")
+    }
+}
+
+/** A primitive whose colours take about a microsecond. */
+private class Slow(private val whole: Primitive) : Primitive by whole {
+    override fun shade(fragment: Fragment) {
+        var bits = fragment.x
+        repeat(STEPS) { bits = bits * 0x41C64E6D + 12345 }
+        fragment.setColor((bits ushr 24) / 255f, 0f, 0f)
+    }
+}
+
+/** Renders [frame], and is interrupted when it has taken [moment] nanoseconds of processor time. */
+private class TimedRendering(private val renderer: Renderer, private val frame: Frame, private val moment: Long) :
+    Thread("lazyz-interrupted") {
+    @Volatile
+    private var begin = 0L
+    private var end = 0L
+    private var thrown: Throwable? = null
+
+    /** Whether the interrupt status is set after an InterruptedException. */
+    var isTwice = false
+        private set
+
+    /** The processor time at the interrupt, see [moment]; 0 before it. */
+    private var reached = 0L
+
+    /** Nanoseconds that the rendering takes. */
+    val whole: Long get() = end - begin
+
+    /** Nanoseconds from the interrupt to the InterruptedException; 0 if there is none. */
+    val late: Long get() = if (thrown is InterruptedException) end - reached else 0
+
+    override fun run() {
+        val start = times.currentThreadCpuTime
+        if (moment == 0L) interruptAt { start }
+        begin = start
+        thrown = answer { renderer.render(frame) { _, _, _, _ -> } }
+        end = times.currentThreadCpuTime
+        isTwice = thrown is InterruptedException && isInterrupted
+    }
+
+    /** The time is read after the interrupt, because a busy machine may let this thread wait before it. */
+    private fun interruptAt(time: () -> Long) {
+        interrupt()
+        reached = time()
+    }
+
+    fun await() {
+        isDaemon = true
+        start()
+        while (isAlive) {
+            if (reached == 0L && begin > 0 && times.getThreadCpuTime(id) - begin >= moment) {
+                interruptAt { times.getThreadCpuTime(id) }
+            }
+            join(1)
+        }
+    }
+}
+
+private const val GRAINS = 30_000
+private const val ATTEMPTS = 3
+private const val PARTS = 8
+private const val WIDE = 20_000
+private const val STEPS = 1_000
+
+/** Nanoseconds that are never long. */
+private const val SHORT = 5_000_000L

@@ -1,11 +1,13 @@
 package dev.lazyz.conformance.mutants.wrappers
 
 import dev.lazyz.Counters
+import dev.lazyz.conformance.judgement.Recording
 import dev.lazyz.conformance.mutants.BrokenRenderer
 import dev.lazyz.conformance.mutants.Crew
 import dev.lazyz.conformance.mutants.Mistake
 import dev.lazyz.conformance.mutants.Tools
 import dev.lazyz.conformance.mutants.emit
+import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Spans
 import dev.lazyz.strategies.zbuffer.ZBufferRenderer
@@ -27,6 +29,9 @@ internal object ThreadMistakes {
         Mistake(::keepsAFragment, "the fragment is in a field, for all renderings"),
         Mistake(::keepsSpans, "the spans are in a field, for all renderings"),
         Mistake(::keepsDepthsOfPlanes, "the depths of planes are in a field, for all renderings"),
+        Mistake(::rendersOneAtATime, "a lock lets one rendering run at a time"),
+        Mistake(::endsAfterAll, "InterruptedException is thrown when the picture is ready"),
+        Mistake(::looksTwice, "whether the thread is interrupted is looked at before the primitives, and after them"),
         Mistake(::callsFromAThread, "the sink is called by a thread of the renderer's own"),
         Mistake(::callsAtOnce, "several threads call the sink, each with its row"),
         Mistake(::writesOnlyChanges, "an element of a row is written only if it differs from the row before"),
@@ -126,6 +131,28 @@ internal object ThreadMistakes {
                 sink.row(y, argb, depth, primitive)
             }
         }
+    }
+
+    private fun rendersOneAtATime(): BrokenRenderer {
+        val lock = Any()
+        return BrokenRenderer("renders-one-at-a-time") { frame, sink ->
+            synchronized(lock) { ZBufferRenderer().render(frame, sink) }
+        }
+    }
+
+    private fun endsAfterAll() = interruptible("ends-after-all", isFirst = false)
+
+    private fun looksTwice() = interruptible("looks-twice", isFirst = true)
+
+    /** A renderer that looks at the interrupt status at the end, and, if [isFirst], at the begin. */
+    private fun interruptible(id: String, isFirst: Boolean) = BrokenRenderer(id) { frame, sink ->
+        fun look() {
+            if (Thread.interrupted()) throw InterruptedException()
+        }
+        if (isFirst) look()
+        val image = Recording.of(ReferenceRenderer(), frame).image
+        look()
+        emit(image, sink)
     }
 
     private fun callsFromAThread() = BrokenRenderer("calls-from-a-thread") { frame, sink ->
