@@ -1,10 +1,12 @@
 package dev.lazyz.conformance.probes
 
+import dev.lazyz.DepthTest
 import dev.lazyz.Frame
 import dev.lazyz.Raster
 import dev.lazyz.Rgba
 import dev.lazyz.conformance.cases.Coded
 import dev.lazyz.conformance.cases.FrameCase
+import dev.lazyz.conformance.cases.Rasters
 import dev.lazyz.conformance.cases.code
 import dev.lazyz.spi.BatchShader
 import dev.lazyz.spi.Fragment
@@ -39,16 +41,20 @@ internal fun screenMeshes(raster: Raster, meshes: List<Mesh>): FrameCase =
     meshCase(raster, meshes, Coded(Camera.screen(), "Camera.screen()"))
 
 /** The mesh of the first [drawn] triangles whose corners, three each, are in [positions]. */
-internal fun inOrder(positions: FloatArray, drawn: Int, isGlass: Boolean = false): Mesh =
-    Mesh(positions, IntArray(3 * drawn) { it }, if (isGlass) GLASS else Material())
+internal fun inOrder(positions: FloatArray, drawn: Int, material: Material = Material()): Mesh =
+    Mesh(positions, IntArray(3 * drawn) { it }, material)
 
 private val GLASS = Material(Rgba(1f, 0.5f, 0.25f, 0.5f), alphaMode = AlphaMode.BLEND)
+private val ONE_SIDED = Material(sides = Material.Sides.FRONT)
 
 private fun meshCase(raster: Raster, meshes: List<Mesh>, camera: Coded<Camera>): FrameCase {
     val scene = Scene.builder().apply { meshes.forEach { add(it) } }.viewpoint(camera.value).build()
     val code = meshes.joinToString("", "Scene.builder()") {
-        val glass = ", Material(${code(GLASS.baseColor)}, alphaMode = AlphaMode.BLEND)"
-        val material = if (it.material == GLASS) glass else ""
+        val material = when (it.material) {
+            GLASS -> ", Material(${code(GLASS.baseColor)}, alphaMode = AlphaMode.BLEND)"
+            ONE_SIDED -> ", Material(sides = Material.Sides.FRONT)"
+            else -> ""
+        }
         ".add(Mesh(${code(it.positions)}, IntArray(${it.triangles.size}) { it }$material))"
     } + ".viewpoint(${camera.code}).build()"
     return FrameCase(Coded(scene, code), raster)
@@ -98,6 +104,52 @@ internal fun withinAUnit(salt: Long): FrameCase {
 }
 
 /**
+ * A fan of triangles around a point, whose rim is a spiral about the diagonal of space. Every plane along an axis cuts
+ * most of them, and that of a triangle has few others on one side: a tree of planes is dozens of levels high.
+ */
+internal fun spiral(): FrameCase {
+    val (u, v) = listOf(Vector3d(1.0, -1.0, 0.0), Vector3d(1.0, 1.0, -2.0)).map { it.normalize(0.6) }
+    val rim = List(BLADES + 1) {
+        val angle = 2 * Math.PI * it / BLADES_OF_A_TURN
+        val part = 1 - 0.1 * it / BLADES
+        val place = Vector3d(1.0).fma(part * StrictMath.cos(angle), u).fma(part * StrictMath.sin(angle), v)
+        listOf(place.x, place.y, place.z).map { side -> side.toFloat() }
+    }
+    val corners = rim.zipWithNext { a, b -> listOf(0f, 0f, 0f) + a + b }.flatten().toFloatArray()
+    val eye = Vector3d(4.0, 3.0, 6.0)
+    val target = Vector3d(0.8)
+    val camera = Camera.perspective(eye, target, UP, ANGLE, NEAR_PLANE, FAR_PLANE)
+    val code = "Camera.perspective(${code(eye)}, Vector3d(0.8), ${code(UP)}, $ANGLE, $NEAR_PLANE, $FAR_PLANE)"
+    return meshCase(Raster(SHORT, SHORT), listOf(inOrder(corners, BLADES)), Coded(camera, code))
+}
+
+private const val BLADES = 3000
+private const val BLADES_OF_A_TURN = 23
+
+/**
+ * The same two meshes, one of which shows front sides only and is in the scene twice, from all sides: from afar, and so
+ * near that triangles are clipped. With any depth test.
+ */
+internal fun fromAllSides(salt: Long): List<FrameCase> {
+    val random = Random(salt)
+    val (front, both) = listOf(ONE_SIDED, Material()).map { material ->
+        inOrder(FloatArray(9 * SHEETS) { 2 * random.nextFloat() - 1 }, SHEETS, material)
+    }
+    return SIDES.flatMap { side -> listOf(0.75, 3.0).map { Vector3d(side).mul(it) } }.map { eye ->
+        val camera = Camera.perspective(eye, Vector3d(), UP, ANGLE, NEAR_PLANE, FAR_PLANE)
+        val code = "Camera.perspective(${code(eye)}, Vector3d(), ${code(UP)}, $ANGLE, $NEAR_PLANE, $FAR_PLANE)"
+        val test = DepthTest.entries[random.nextInt(DepthTest.entries.size)]
+        val raster = Raster(SHORT, SHORT).withDepthTest(test).withBackgroundDepth(Rasters.behindAll(test))
+        meshCase(raster, listOf(front, both, front), Coded(camera, code))
+    }
+}
+
+private val SIDES = listOf(1.0, -1.0).flatMap {
+    listOf(Vector3d(it, 0.0, 0.0), Vector3d(0.0, it, 0.1), Vector3d(0.0, 0.0, it))
+}
+private const val NEAR_PLANE = 0.5
+
+/**
  * Meshes of a few triangles of any size that a float has, with a far plane as far as possible: the depths are all
  * equal, and products are near to the ends of the numbers.
  */
@@ -138,7 +190,7 @@ internal fun slivers(salt: Long, withGlass: Boolean): FrameCase {
             .shuffled(random)
     }
     val opaque = inOrder((plates + slivers).map { it.flatten() }.shuffled(random).flatten().toFloatArray(), 3 * SHEETS)
-    val glass = inOrder(inclined().flatten().flatten().toFloatArray(), SHEETS, isGlass = true)
+    val glass = inOrder(inclined().flatten().flatten().toFloatArray(), SHEETS, GLASS)
     return screenMeshes(Raster(SHORT, SHORT), listOfNotNull(opaque, glass.takeIf { withGlass }))
 }
 

@@ -28,6 +28,7 @@ import dev.lazyz.conformance.probes.longRasters
 import dev.lazyz.conformance.probes.seenThroughGaps
 import dev.lazyz.conformance.probes.slivers
 import dev.lazyz.conformance.probes.specks
+import dev.lazyz.conformance.probes.spiral
 import dev.lazyz.conformance.probes.wideMesh
 import dev.lazyz.conformance.probes.withinAUnit
 import net.jqwik.api.ForAll
@@ -136,7 +137,7 @@ public sealed interface SizeRules : RulesForOne {
 
     /**
      * Many triangles hardly in front of a wall, and hardly behind it; within a unit of depth of each other; of any size,
-     * with equal depths; and seen edge-on.
+     * with equal depths; around a point, in a spiral; and seen edge-on.
      */
     @Rule(
         intent = "A fragment that is nearer by a single unit of depth is visible, however many others are near it.",
@@ -147,7 +148,7 @@ public sealed interface SizeRules : RulesForOne {
     public fun rule_5_1_trianglesCloseToAWallAreDrawnCorrectly(@ForAll salt: Long) {
         val renderer = renderer()
         Judgement(renderer, closeToAWall(salt)).equalsReference()
-        for (case in immense(salt)) Judgement(renderer, case).equalsReference()
+        for (case in immense(salt) + spiral()) Judgement(renderer, case).equalsReference()
         repeat(MANY_SHEETS) { Judgement(renderer, withinAUnit(salt + it)).equalsReference() }
         Judgement(renderer, slivers(salt, Capability.TRANSPARENCY in renderer.capabilities)).equalsReference()
     }

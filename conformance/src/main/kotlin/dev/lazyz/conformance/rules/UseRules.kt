@@ -25,6 +25,7 @@ import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.changed
 import dev.lazyz.conformance.probes.failsAsPlanned
 import dev.lazyz.conformance.probes.failsWithItsSelector
+import dev.lazyz.conformance.probes.fromAllSides
 import dev.lazyz.conformance.probes.leavesNothingBehind
 import dev.lazyz.conformance.probes.memory.keepsNothing
 import dev.lazyz.conformance.probes.memory.leavesNoObjects
@@ -59,17 +60,20 @@ public sealed interface UseRules : RulesForOne {
         for (case in frames + frames) Judgement(renderer, case).equalsReference().equalsItsImage()
     }
 
-    /** A renderer that renders frames of many sizes one after the other, by two threads, renders each correctly. */
+    /**
+     * A renderer that renders frames of many sizes one after the other, by two threads, renders each correctly, and so
+     * it does with the same meshes from other sides.
+     */
     @Rule(
         intent = "What a renderer keeps for its next frame, such as arrays, has no effect on the picture.",
         look = "Look for arrays that go back to a pool twice, or while they are still in use, for old contents, and " +
-            "for what is kept of a mesh by some of its arrays.",
+            "for what is kept of a mesh by some of its arrays, or depends on the camera.",
         about = [Symptom.AGAIN], tries = 3,
     )
     public fun rule_7_1_framesOfManySizesAreIndependent(@ForAll salt: Long) {
         val options = RenderOptions(threads = 2)
         val renderer = renderer().configured(options)
-        for (case in tallMeshes(salt)) Judgement(renderer, case, "$options").equalsReference()
+        for (case in tallMeshes(salt) + fromAllSides(salt)) Judgement(renderer, case, "$options").equalsReference()
     }
 
     /** Frames on which rules have failed before, and the user's own frames, are correct. */

@@ -20,6 +20,7 @@ import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.judgement.withoutMemory
 import dev.lazyz.conformance.oracle.ReferenceRenderer
 import dev.lazyz.conformance.probes.closeToAWall
+import dev.lazyz.conformance.probes.fromAllSides
 import dev.lazyz.conformance.probes.withinAUnit
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.ShadingCursor
@@ -148,11 +149,11 @@ internal fun rightInACrowd(
 
 /**
  * Fails unless [renderer] renders meshes as before while another thread draws others: one whose triangles need every
- * comparison of depths, and one whose triangles need none. Threads cannot be made to meet within a mesh, so each draws
- * both again and again.
+ * comparison of depths, one whose triangles need none, and the same from all sides. Threads cannot be made to meet
+ * within a mesh, so each draws all again and again.
  */
 internal fun meshesAreIndependent(renderer: Renderer, salt: Long) {
-    val cases = listOf(withinAUnit(salt), closeToAWall(salt))
+    val cases = listOf(withinAUnit(salt), closeToAWall(salt)) + fromAllSides(salt)
     val expected = cases.associateWith { Recording.of(renderer, it.frame).image }
     atOnce(listOf(cases, cases.reversed())) { own ->
         repeat(ROUNDS_OF_MESHES) {

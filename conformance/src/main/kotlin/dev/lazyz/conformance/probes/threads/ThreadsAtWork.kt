@@ -12,9 +12,9 @@ import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.TryUnderWay
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.inTime
+import dev.lazyz.conformance.probes.answer
 import dev.lazyz.conformance.probes.dust
 import dev.lazyz.conformance.probes.fewTriangles
-import java.lang.management.ManagementFactory
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.CyclicBarrier
 import java.util.concurrent.ExecutionException
@@ -23,16 +23,15 @@ import java.util.concurrent.atomic.AtomicInteger
 
 // These checks observe threads; they do not compare pictures.
 
-internal val times = ManagementFactory.getThreadMXBean()
-
 private const val SIDE = 128
 private const val ATTEMPTS = 3
 
 private const val GRAINS = 100_000
 private val FEW_SAMPLES = Raster(8, 8)
+private val WAITING = setOf(Thread.State.BLOCKED, Thread.State.WAITING, Thread.State.TIMED_WAITING)
 
-/** Nanoseconds of processor time for which a thread is not stopped by the system. */
-private const val LONG = 50_000_000L
+/** So often, a thread may be found waiting, for example while a class is loaded. */
+private const val MOST_WAITING = 4
 
 /** Nanoseconds of processor time that a query waits for another thread, in the first attempt. */
 private const val PATIENCE = 250_000L
@@ -119,57 +118,35 @@ internal fun severalThreads(renderer: Renderer, kind: KindOfWork) {
     fail(configured, "one thread made all queries for a picture of $SIDE x $SIDE samples, although 4 are allowed")
 }
 
-/**
- * Fails if a thread that draws a few triangles waits until another one has drawn very many: for most of the other's
- * processor time, again and again.
- */
+/** Fails if a thread that draws a few triangles mostly waits while another one draws very many, again and again. */
 internal fun waitsForNoOther(renderer: Renderer, salt: Long) {
     val configured = renderer.configured(RenderOptions(threads = 1))
     repeat(ATTEMPTS) { attempt ->
+        TryUnderWay.current?.goesOn()
         val crowd = dust(salt + attempt, GRAINS)
-        val busy = Busy { configured.inTime(crowd) { _, _, _, _ -> } }
-        var others = 0L
-        var longest = 0L
-        atOnce(
-            listOf<() -> Unit>(busy::run) + {
-                while (!busy.hasEnded) {
-                    val before = busy.time
-                    val few = fewTriangles(salt + others++, FEW_SAMPLES).frame
-                    configured.inTime(few) { _, _, _, _ -> }
-                    longest = maxOf(longest, busy.time - before)
-                }
-            }
-        ) { it() }
-        if (longest < LONG || longest < busy.time / 2) return
+        val busy = daemon { configured.render(crowd) { _, _, _, _ -> } }
+        var drawn = salt
+        val other = daemon {
+            while (busy.isAlive) configured.render(fewTriangles(drawn++, FEW_SAMPLES).frame) { _, _, _, _ -> }
+        }
+        var looks = 0
+        var waits = 0
+        while (busy.isAlive) {
+            Thread.sleep(1)
+            looks++
+            if (other.state in WAITING) waits++
+        }
+        other.join()
+
+        // On a busy machine a thread that could run may have to wait, too, but not in one of these states
+        if (waits < MOST_WAITING || waits < looks / 2) return
     }
     fail(renderer, "a thread that draws a few triangles waits for another one that draws $GRAINS of them")
 }
 
-/** Work whose processor time others read. */
-private class Busy(private val work: () -> Unit) {
-    @Volatile
-    private var thread: Thread? = null
-
-    @Volatile
-    private var whole = -1L
-
-    val hasEnded: Boolean get() = whole >= 0
-
-    /** Nanoseconds so far, or in all. */
-    val time: Long
-        get() {
-            val now = thread?.let { times.getThreadCpuTime(it.id) } ?: 0
-            return if (hasEnded) whole else now
-        }
-
-    fun run() {
-        thread = Thread.currentThread()
-        try {
-            work()
-        } finally {
-            whole = times.currentThreadCpuTime
-        }
-    }
+private fun daemon(work: () -> Unit) = Thread { answer(work) }.apply {
+    isDaemon = true
+    start()
 }
 
 /** Calls [block] for each of [cases] in a separate thread, all at the same time. Rethrows the first failure. */

@@ -12,6 +12,7 @@ import dev.lazyz.conformance.probes.Question
 import dev.lazyz.conformance.probes.answer
 import dev.lazyz.spi.Fragment
 import dev.lazyz.spi.Spans
+import java.lang.management.ManagementFactory
 import java.util.EnumSet
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.LockSupport
@@ -102,6 +103,8 @@ internal fun awaitUntil(nanoseconds: Long, condition: () -> Boolean) {
  */
 private fun processorTime(): Long =
     if (times.isCurrentThreadCpuTimeSupported) times.currentThreadCpuTime else System.nanoTime()
+
+internal val times = ManagementFactory.getThreadMXBean()
 
 /**
  * Fails if [renderer]'s own threads query primitives after a rendering has ended with a failure on the caller's thread.
