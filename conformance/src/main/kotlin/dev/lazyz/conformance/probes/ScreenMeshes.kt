@@ -110,15 +110,19 @@ internal fun fewTriangles(salt: Long, raster: Raster): FrameCase {
     return screenMesh(raster, triangles)
 }
 
-/** The frame of a mesh of [grains] small triangles in random order, on few samples. */
-internal fun dust(salt: Long, grains: Int): Frame {
+/**
+ * The frame of a mesh of [grains] triangles in random order, on a raster of [side] x [side] samples, each as large as a
+ * few of 64 x 64.
+ */
+internal fun dust(salt: Long, grains: Int, side: Int = 8): Frame {
     val random = Random(salt)
     val positions = FloatArray(9 * grains)
     for (i in positions.indices) {
-        val most = if (i % 3 == 2) DUSTY_DEPTH else DUSTY.width.toFloat()
-        positions[i] = if (i % 9 < 3) most * random.nextFloat() else positions[i - 3] + random.nextFloat() / 8
+        // So near to the near plane that nothing is clipped
+        val most = if (i % 3 == 2) 0.75f else side.toFloat()
+        positions[i] = if (i % 9 < 3) most * random.nextFloat() else positions[i - 3] + most * random.nextFloat() / 64
     }
-    return Scene(listOf(inOrder(positions, grains)), viewpoint = Camera.screen()).frame(DUSTY)
+    return Scene(listOf(inOrder(positions, grains)), viewpoint = Camera.screen()).frame(Raster(side, side))
 }
 
 /** Returns a triangle with its right angle at ([x], [y]), whose short sides have [size] samples, at the depth [z]. */
@@ -200,11 +204,6 @@ private const val FAR = 6
 
 private const val SHEETS = 16
 private const val SHORT = 40
-
-private val DUSTY = Raster(8, 8)
-
-/** So near to the near plane that nothing is clipped. */
-private const val DUSTY_DEPTH = 0.75f
 
 private const val SURFACES = 24
 

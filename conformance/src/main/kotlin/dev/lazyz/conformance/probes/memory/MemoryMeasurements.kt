@@ -14,6 +14,7 @@ import dev.lazyz.conformance.cases.Once
 import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.inTime
+import dev.lazyz.conformance.probes.dust
 import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.threads.Stepping
 import dev.lazyz.conformance.probes.ways
@@ -69,6 +70,10 @@ internal fun holdsWhatItReports(renderer: Renderer) {
             stripes(kind, WIDE, FEW_ROWS, onQuery)
         }
     }
+    val mesh = dust(0, GRAINS, GRAINS_SIDE)
+    // What makes objects of triangles makes them before, for the frame
+    mesh.primitives.first()
+    holdsWhatItReports(renderer.configured(RenderOptions(threads = 1)), "$GRAINS triangles", GRAINS_SIDE) { mesh }
     if (Capability.COHERENCE in renderer.capabilities) {
         val stepping = renderer.configured(RenderOptions(Coherence.INCREMENTAL, threads = 1))
         holdsWhatItReports(stepping, "$CHAINS primitives in a row, shaded by steps", rows = 1) { onQuery ->
@@ -90,6 +95,8 @@ private fun holdsWhatItReports(renderer: Renderer, what: String, rows: Int, fram
     }
 }
 
+private const val GRAINS = 20_000
+private const val GRAINS_SIDE = 128
 private const val CHAINS = 1 shl 17
 private const val DEEP = 256
 private const val DEEP_SIDE = 64

@@ -165,6 +165,8 @@ internal fun endsSoon(renderer: Renderer) {
     endsSoon(configured, "$GRAINS triangles") { dust(it, GRAINS) }
     val rows = Slow(Stripe(0..<WIDE, 0..1, 1000))
     endsSoon(configured, "two rows of $WIDE samples with slow colours") { Frame(Raster(WIDE, 2), listOf(rows)) }
+    val small = List(WIDE) { Slow(Stripe(it % 8..it % 8, 0..it % 8, it)) }
+    endsSoon(configured, "$WIDE primitives with slow bounds of depth") { Frame(Raster(8, 8), small) }
 }
 
 private fun endsSoon(renderer: Renderer, what: String, frame: (salt: Long) -> Frame) {
@@ -185,12 +187,21 @@ private fun endsSoon(renderer: Renderer, what: String, frame: (salt: Long) -> Fr
     }
 }
 
-/** A primitive whose colours take about a microsecond. */
+/** A primitive whose colours and bounds of depth take about a microsecond each. */
 private class Slow(private val whole: Primitive) : Primitive by whole {
-    override fun shade(fragment: Fragment) {
-        var bits = fragment.x
+    /** Written, so that the work for it is not left out. */
+    @Volatile
+    private var noise = 1
+
+    override val leastDepth: Int get() = whole.leastDepth.also { work() }
+    override val greatestDepth: Int get() = whole.greatestDepth.also { work() }
+
+    override fun shade(fragment: Fragment) = whole.shade(fragment).also { work() }
+
+    private fun work() {
+        var bits = noise
         repeat(STEPS) { bits = bits * 0x41C64E6D + 12345 }
-        fragment.setColor((bits ushr 24) / 255f, 0f, 0f)
+        noise = bits
     }
 }
 
