@@ -45,7 +45,7 @@ internal class ThreadWitness : RowSink {
     }
 }
 
-/** A sink that copies its rows, checks that they do not change for a while, and then overwrites them or a part of them. */
+/** A sink that copies its rows, checks that they do not change for a while, and then overwrites some or all of them. */
 internal class OverwritingSink(private val frame: Frame) : RowSink {
     private val recorder = Recorder(frame.region)
     private var patience = PATIENT_ROWS

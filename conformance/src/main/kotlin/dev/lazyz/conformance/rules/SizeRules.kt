@@ -136,8 +136,8 @@ public sealed interface SizeRules : RulesForOne {
     }
 
     /**
-     * Many triangles hardly in front of a wall, and hardly behind it; within a unit of depth of each other; of any size,
-     * with equal depths; around a point, in a spiral; and seen edge-on.
+     * Many triangles hardly in front of a wall, and hardly behind it; within a unit of depth of each other; of any
+     * size, with equal depths; around a point, in a spiral; and seen edge-on.
      */
     @Rule(
         intent = "A fragment that is nearer by a single unit of depth is visible, however many others are near it.",
