@@ -110,19 +110,23 @@ internal fun fewTriangles(salt: Long, raster: Raster): FrameCase {
     return screenMesh(raster, triangles)
 }
 
-/**
- * The frame of a mesh of [grains] triangles in random order, on a raster of [side] x [side] samples, each as large as a
- * few of 64 x 64.
- */
+/** The frame of a mesh of [grains] small triangles in random order, on [side] x [side] samples. */
 internal fun dust(salt: Long, grains: Int, side: Int = 8): Frame {
     val random = Random(salt)
     val positions = FloatArray(9 * grains)
     for (i in positions.indices) {
         // So near to the near plane that nothing is clipped
         val most = if (i % 3 == 2) 0.75f else side.toFloat()
-        positions[i] = if (i % 9 < 3) most * random.nextFloat() else positions[i - 3] + most * random.nextFloat() / 64
+        val part = most * random.nextFloat()
+        positions[i] = if (i % 9 < 3) part else positions[i - 3] + part / 64
     }
     return Scene(listOf(inOrder(positions, grains)), viewpoint = Camera.screen()).frame(Raster(side, side))
+}
+
+/** The frame of a mesh of [teeth] triangles in the first three of [rows] rows. */
+internal fun saw(teeth: Int, rows: Int): Frame {
+    val corners = List(teeth) { triangle(it, 0, 3, (it * 7 % 100) / 100f) }.flatten().toFloatArray()
+    return Scene(listOf(inOrder(corners, teeth)), viewpoint = Camera.screen()).frame(Raster(teeth, rows))
 }
 
 /** Returns a triangle with its right angle at ([x], [y]), whose short sides have [size] samples, at the depth [z]. */

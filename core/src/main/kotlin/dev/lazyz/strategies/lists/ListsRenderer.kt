@@ -11,6 +11,7 @@ import dev.lazyz.Selector
 import dev.lazyz.bytes
 import dev.lazyz.endIfInterrupted
 import dev.lazyz.raster.byFirstRow
+import dev.lazyz.raster.bytes
 import dev.lazyz.requireInMemory
 import dev.lazyz.shading.LateShading
 import dev.lazyz.spi.SpanCursor
@@ -126,8 +127,12 @@ internal class ActiveList(private val frame: Frame) {
     private var cursors = arrayOfNulls<SpanCursor>(INITIAL)
     private var count = 0
 
-    /** Bytes held; the arrays never shrink. */
-    val peakBytes: Long get() = arrivals.bytes + indices.bytes + cursors.bytes
+    /** Bytes of the cursors themselves, now and at most. */
+    private var cursorBytes = 0L
+    private var mostCursorBytes = 0L
+
+    /** Bytes held at most; the arrays never shrink. */
+    val peakBytes: Long get() = arrivals.bytes + indices.bytes + cursors.bytes + mostCursorBytes
 
     /** Adds the spans of row [y], which follows the row of the last call, to [fragments]. */
     fun moveTo(y: Int, fragments: RowFragments) {
@@ -153,12 +158,16 @@ internal class ActiveList(private val frame: Frame) {
             indices = indices.copyOf(2 * count)
             cursors = cursors.copyOf(2 * count)
         }
+        val cursor = frame.primitives[index].cursor(y)
+        cursorBytes += cursor.bytes
+        mostCursorBytes = maxOf(mostCursorBytes, cursorBytes)
         indices[count] = index
-        cursors[count] = frame.primitives[index].cursor(y)
+        cursors[count] = cursor
         count++
     }
 
     private fun dismiss(i: Int) {
+        cursorBytes -= checkNotNull(cursors[i]).bytes
         count--
         indices[i] = indices[count]
         cursors[i] = cursors[count]

@@ -15,6 +15,7 @@ import dev.lazyz.conformance.cases.Stripe
 import dev.lazyz.conformance.judgement.fail
 import dev.lazyz.conformance.judgement.inTime
 import dev.lazyz.conformance.probes.dust
+import dev.lazyz.conformance.probes.saw
 import dev.lazyz.conformance.probes.threads.KindOfWork
 import dev.lazyz.conformance.probes.threads.Stepping
 import dev.lazyz.conformance.probes.ways
@@ -70,10 +71,9 @@ internal fun holdsWhatItReports(renderer: Renderer) {
             stripes(kind, WIDE, FEW_ROWS, onQuery)
         }
     }
-    val mesh = dust(0, GRAINS, GRAINS_SIDE)
-    // What makes objects of triangles makes them before, for the frame
-    mesh.primitives.first()
-    holdsWhatItReports(renderer.configured(RenderOptions(threads = 1)), "$GRAINS triangles", GRAINS_SIDE) { mesh }
+    val saw = saw(TRIANGLES, SAW_ROWS)
+    holdsWhatItReports(renderer, saw, "$TRIANGLES triangles of a mesh in the first of $SAW_ROWS rows")
+    holdsWhatItReports(renderer, dust(0, TRIANGLES, DUST_ROWS), "$TRIANGLES triangles of a mesh in $DUST_ROWS rows")
     if (Capability.COHERENCE in renderer.capabilities) {
         val stepping = renderer.configured(RenderOptions(Coherence.INCREMENTAL, threads = 1))
         holdsWhatItReports(stepping, "$CHAINS primitives in a row, shaded by steps", rows = 1) { onQuery ->
@@ -87,6 +87,12 @@ internal fun holdsWhatItReports(renderer: Renderer) {
     }
 }
 
+private fun holdsWhatItReports(renderer: Renderer, mesh: Frame, what: String) {
+    // What makes objects of triangles for the frame makes them before
+    mesh.primitives.first()
+    holdsWhatItReports(renderer.configured(RenderOptions(threads = 1)), what, mesh.height) { mesh }
+}
+
 private fun holdsWhatItReports(renderer: Renderer, what: String, rows: Int, frame: (onQuery: (Int) -> Unit) -> Frame) {
     val reported = renderer.inTime(frame {}, DISCARD).peakBytes
     if (reported <= 0) return
@@ -95,8 +101,9 @@ private fun holdsWhatItReports(renderer: Renderer, what: String, rows: Int, fram
     }
 }
 
-private const val GRAINS = 20_000
-private const val GRAINS_SIDE = 128
+private const val TRIANGLES = 20_000
+private const val SAW_ROWS = 8
+private const val DUST_ROWS = 128
 private const val CHAINS = 1 shl 17
 private const val DEEP = 256
 private const val DEEP_SIDE = 64
