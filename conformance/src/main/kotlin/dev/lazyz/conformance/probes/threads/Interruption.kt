@@ -180,7 +180,7 @@ private fun endsSoon(renderer: Renderer, what: String, frame: (salt: Long) -> Fr
         return rendering
     }
     val whole = (1..ATTEMPTS).minOf { rendered(Long.MAX_VALUE).whole }
-    for (part in 0 until PARTS) {
+    for (part in 0 until PARTS step 2) {
         if ((1..ATTEMPTS).any { rendered(whole * part / PARTS).late <= maxOf(whole / PARTS, SHORT) }) continue
         val moment = "after $part of $PARTS parts of the time that it takes to draw $what"
         fail(renderer, "interrupted $moment, it goes on for more than one part, and then throws InterruptedException")
