@@ -29,8 +29,8 @@ public class FrameCase(public val frame: Frame, public val code: String) {
     internal var scene: Scene? = null
         private set
 
-    /** A Kotlin expression whose value is [scene], if [frame] is all of what it shows on a raster; otherwise null. */
-    internal var sceneCode: String? = null
+    /** [scene] and its expression, if [frame] is all of what it shows on a raster; otherwise null. */
+    internal var codedScene: Coded<Scene>? = null
         private set
 
     /** The frame as a scene of the corpus, which programs in any language read; null if it is none. */
@@ -45,7 +45,7 @@ public class FrameCase(public val frame: Frame, public val code: String) {
     /** The frame of [scene] on [raster]. */
     internal constructor(scene: Coded<Scene>, raster: Raster) :
         this(scene.value.frame(raster), "${scene.code}.frame(${code(raster)})", scene.value) {
-        sceneCode = scene.code
+        codedScene = scene
     }
 
     /**

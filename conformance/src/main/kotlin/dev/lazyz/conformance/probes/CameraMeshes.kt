@@ -46,7 +46,7 @@ private fun perspective(eye: Vector3d, target: Vector3d = Vector3d(), near: Doub
  * A fan of triangles around a point, whose rim is a spiral about the diagonal of space. Every plane along an axis cuts
  * most of them, and that of a triangle has few others on one side: a tree of planes is dozens of levels high.
  */
-internal fun spiral(): FrameCase {
+internal fun spiral(salt: Long): FrameCase {
     val rim = List(BLADES + 1) {
         val angle = 2 * Math.PI * it / BLADES_OF_A_TURN
         val part = 1 - 0.1 * it / BLADES
@@ -54,7 +54,9 @@ internal fun spiral(): FrameCase {
         listOf(1 + right + up / 2, 1 - right + up / 2, 1 - up).map { side -> side.toFloat() }
     }
     val corners = rim.zipWithNext { a, b -> listOf(0f, 0f, 0f) + a + b }.flatten().toFloatArray()
-    val camera = perspective(Vector3d(4.0, 3.0, 6.0), target = Vector3d(0.8))
+    val random = Random(salt)
+    val (x, y, z) = List(3) { 3 + 3 * random.nextDouble() }
+    val camera = perspective(Vector3d(x, y, z), target = Vector3d(0.8))
     return meshCase(Raster(SHORT, SHORT), listOf(inOrder(corners, BLADES)), camera)
 }
 

@@ -126,18 +126,14 @@ public sealed interface PictureRules : RulesForOne {
         @ForAll(supplier = MixedCases::class) mixed: FrameCase,
         @ForAll salt: Long,
     ) {
-        val cases = listOf<Pair<Raster, (Raster) -> FrameCase>>(
-            tied.frame.raster to tied::on, mixed.frame.raster to mixed::on,
-            Raster(8, 8) to { fewTriangles(salt, it) },
-        )
-        for ((usual, on) in cases) {
+        for (case in listOf(tied, mixed, fewTriangles(salt, Raster(8, 8)))) {
             for (test in DepthTest.entries) {
                 for (convention in DepthConvention.entries) {
-                    val raster = usual.withConvention(convention).withDepthTest(test)
+                    val raster = case.frame.raster.withConvention(convention).withDepthTest(test)
 
                     // Behind everything, or before everything, so that only what has the same depth can pass
                     for (depth in listOf(0, Int.MAX_VALUE)) {
-                        Judgement(renderer(), on(raster.withBackgroundDepth(depth))).equalsReference()
+                        Judgement(renderer(), case.on(raster.withBackgroundDepth(depth))).equalsReference()
                     }
                 }
             }

@@ -148,7 +148,7 @@ public sealed interface SizeRules : RulesForOne {
     public fun rule_5_1_trianglesCloseToAWallAreDrawnCorrectly(@ForAll salt: Long) {
         val renderer = renderer()
         Judgement(renderer, closeToAWall(salt)).equalsReference()
-        for (case in immense(salt) + spiral()) Judgement(renderer, case).equalsReference()
+        for (case in immense(salt) + spiral(salt)) Judgement(renderer, case).equalsReference()
         repeat(MANY_SHEETS) { Judgement(renderer, withinAUnit(salt + it)).equalsReference() }
         Judgement(renderer, slivers(salt, Capability.TRANSPARENCY in renderer.capabilities)).equalsReference()
     }

@@ -5,7 +5,6 @@ import dev.lazyz.Frame
 import dev.lazyz.Image
 import dev.lazyz.Raster
 import dev.lazyz.Region
-import dev.lazyz.conformance.cases.Coded
 import dev.lazyz.conformance.cases.FrameCase
 import dev.lazyz.conformance.cases.UncoveredPrimitive
 import dev.lazyz.conformance.cases.code
@@ -13,13 +12,8 @@ import dev.lazyz.world.surface.Polygon
 import java.util.Random
 
 /** Returns the same scene, or else the same primitives, on [raster], which must have the same size. */
-internal fun FrameCase.on(raster: Raster): FrameCase {
-    val code = sceneCode ?: return withPrimitivesOn(raster)
-    return FrameCase(Coded(checkNotNull(scene), code), raster)
-}
-
-private fun FrameCase.withPrimitivesOn(raster: Raster): FrameCase =
-    FrameCase(
+internal fun FrameCase.on(raster: Raster): FrameCase = codedScene?.let { FrameCase(it, raster) }
+    ?: FrameCase(
         Frame(raster, frame.primitives),
         "$code\n    .let { Frame(${code(raster)}, it.primitives) }",
         scene.takeIf { raster.convention == frame.raster.convention },

@@ -132,7 +132,7 @@ private class InterruptedRendering(
     /** Describes how the interrupt was lost, or returns null. */
     fun lostInterrupt(): String? = when {
         thrown is InterruptedException && !isSent -> "threw InterruptedException, although it was not interrupted"
-        thrown is InterruptedException && isSet -> "threw InterruptedException, but left the interrupt status set"
+        thrown is InterruptedException && isSet -> LEFT_SET
         thrown != null -> null
         isSent && !isSet -> "returned, but the interrupt status is no longer set"
         !isSent && isSet -> "set the interrupt status, although it was not interrupted"
@@ -156,8 +156,8 @@ private class InterruptedRendering(
 
 /**
  * Fails if [renderer], in each of several attempts, throws an InterruptedException late: after more than a part of the
- * processor time that its thread takes for the whole picture of very many triangles, or of rows of slow colours. Also
- * fails if it then leaves the interrupt status set.
+ * processor time that its thread takes for the whole picture of very many triangles, of rows of slow colours, or of
+ * primitives with slow bounds of depth. Also fails if it then leaves the interrupt status set.
  */
 internal fun endsSoon(renderer: Renderer) {
     if (!times.isCurrentThreadCpuTimeSupported) notMeasured("this JVM does not measure the processor time of a thread")
@@ -176,7 +176,7 @@ private fun endsSoon(renderer: Renderer, what: String, frame: (salt: Long) -> Fr
         TryUnderWay.current?.goesOn()
         val rendering = TimedRendering(renderer, frame(salt++), moment)
         rendering.await()
-        if (rendering.isTwice) fail(renderer, "drawing $what: threw InterruptedException, but left the status set")
+        if (rendering.isTwice) fail(renderer, "drawing $what: $LEFT_SET")
         return rendering
     }
     val whole = (1..ATTEMPTS).minOf { rendered(Long.MAX_VALUE).whole }
@@ -189,20 +189,12 @@ private fun endsSoon(renderer: Renderer, what: String, frame: (salt: Long) -> Fr
 
 /** A primitive whose colours and bounds of depth take about a microsecond each. */
 private class Slow(private val whole: Primitive) : Primitive by whole {
-    /** Written, so that the work for it is not left out. */
-    @Volatile
-    private var noise = 1
-
     override val leastDepth: Int get() = whole.leastDepth.also { work() }
     override val greatestDepth: Int get() = whole.greatestDepth.also { work() }
 
     override fun shade(fragment: Fragment) = whole.shade(fragment).also { work() }
 
-    private fun work() {
-        var bits = noise
-        repeat(STEPS) { bits = bits * 0x41C64E6D + 12345 }
-        noise = bits
-    }
+    private fun work() = awaitUntil(MICROSECOND) { false }
 }
 
 /** Renders [frame], and is interrupted when it has taken [moment] nanoseconds of processor time. */
@@ -217,14 +209,14 @@ private class TimedRendering(private val renderer: Renderer, private val frame: 
     var isTwice = false
         private set
 
-    /** The processor time at the interrupt, see [moment]; 0 before it. */
+    /** The processor time at the interrupt, see [moment]; 0 before it, negative if the thread has ended meanwhile. */
     private var reached = 0L
 
     /** Nanoseconds that the rendering takes. */
     val whole: Long get() = end - begin
 
-    /** Nanoseconds from the interrupt to the InterruptedException; 0 if there is none. */
-    val late: Long get() = if (thrown is InterruptedException) end - reached else 0
+    /** Nanoseconds from the interrupt to the InterruptedException; 0 if there is none, or no time to read one. */
+    val late: Long get() = if (thrown is InterruptedException && reached > 0) end - reached else 0
 
     override fun run() {
         val start = times.currentThreadCpuTime
@@ -253,11 +245,13 @@ private class TimedRendering(private val renderer: Renderer, private val frame: 
     }
 }
 
+private const val LEFT_SET = "threw InterruptedException, but left the interrupt status set"
+
 private const val GRAINS = 30_000
 private const val ATTEMPTS = 3
 private const val PARTS = 8
 private const val WIDE = 20_000
-private const val STEPS = 1_000
+private const val MICROSECOND = 1_000L
 
 /** Nanoseconds that are never long. */
 private const val SHORT = 5_000_000L
