@@ -31,8 +31,10 @@ public record SortedRows(RenderOptions options) implements Renderer {
         var rows = new Row[frame.getHeight()];
         Arrays.setAll(rows, i -> new Row(frame, region.getRowStart() + i));
         var counters = new Counters.Builder();
+        var caller = Thread.currentThread();
         // Once, and in their order: the primitives of a streamed frame are read while this loop runs
         for (Primitive primitive : frame.getPrimitives()) {
+            endIfInterrupted();
             int index = (int) counters.primitives++;
             if (primitive.getColumnEnd() <= region.getColumnStart()) continue;
             if (primitive.getColumnStart() >= region.getColumnEnd()) continue;
@@ -41,15 +43,20 @@ public record SortedRows(RenderOptions options) implements Renderer {
                 rows[y - region.getRowStart()].collect(primitive, index);
             }
         }
-        options.inParallel(rows.length, i -> rows[i].draw());
+        options.inParallel(rows.length, i -> rows[i].draw(caller));
         long bytes = 0;
         for (Row row : rows) {
+            endIfInterrupted();
             sink.row(row.y, row.argb, row.depths, row.indices);
             counters.add(row.counters.build());
             bytes += 38L * row.hits.size() + 12L * frame.getWidth() + 256;
         }
         counters.peakBytes = bytes;
         return counters.build();
+    }
+
+    private static void endIfInterrupted() throws InterruptedException {
+        if (Thread.interrupted()) throw new InterruptedException();
     }
 
     /** A fragment, without its colour. The one with the least key is visible. */
@@ -80,12 +87,12 @@ public record SortedRows(RenderOptions options) implements Renderer {
             }
         }
 
-        void draw() {
+        void draw(Thread caller) {
             argb = filled(frame.getRaster().getBackground().toArgb());
             depths = filled(frame.getRaster().getBackgroundDepth());
             indices = filled(DepthTest.BACKGROUND);
             hits.sort(Comparator.comparingInt(Hit::x).thenComparingLong(Hit::key));
-            for (int i = 0, end; i < hits.size(); i = end) {
+            for (int i = 0, end; i < hits.size() && !caller.isInterrupted(); i = end) {
                 for (end = i + 1; end < hits.size() && hits.get(end).x == hits.get(i).x; ) end++;
                 Hit nearest = hits.get(i);
                 int column = nearest.x - frame.getRegion().getColumnStart();

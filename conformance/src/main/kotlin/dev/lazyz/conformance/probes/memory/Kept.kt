@@ -50,7 +50,7 @@ private fun keepsNothing(renderer: Renderer, executor: Executor, moment: String)
 }
 
 private fun renderedByTwo(renderer: Renderer): List<WeakReference<Any>> {
-    val frame = WorkerProbe(Thread.currentThread()) {}.frame
+    val frame = WorkerProbe(Thread.currentThread()) { _, _ -> }.frame
     renderer.inTime(frame) { _, _, _, _ -> }
     return listOf(frame, frame.primitives.first()).map { WeakReference(it) }
 }

@@ -174,7 +174,9 @@ private fun endsSoon(renderer: Renderer, what: String, frame: (salt: Long) -> Fr
 
     fun rendered(moment: Long): TimedRendering {
         TryUnderWay.current?.goesOn()
-        val rendering = TimedRendering(renderer, frame(salt++), moment)
+        // A frame makes its list of primitives when it is first asked for, and to the end
+        val made = frame(salt++).also { it.primitives.first() }
+        val rendering = TimedRendering(renderer, made, moment)
         rendering.await()
         if (rendering.isTwice) fail(renderer, "drawing $what: $LEFT_SET")
         return rendering

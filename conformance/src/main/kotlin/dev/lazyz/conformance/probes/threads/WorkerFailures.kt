@@ -30,8 +30,8 @@ internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
         for (kind in Planted.entries) {
             val planted = kind.make()
             val isThrown = AtomicBoolean()
-            val workers = WorkerProbe(Thread.currentThread()) {
-                if (it == question && isThrown.compareAndSet(false, true)) throw planted
+            val workers = WorkerProbe(Thread.currentThread()) { asked, _ ->
+                if (asked == question && isThrown.compareAndSet(false, true)) throw planted
             }
             val thrown = answer { Recording.of(renderer, workers.frame) }
 
@@ -51,7 +51,7 @@ internal fun passesOnFailuresOfWorkers(renderer: Renderer) {
 private fun passesOnOneOfSeveral(renderer: Renderer, quiet: FrameCase) {
     val planted = ConcurrentLinkedQueue<Throwable>()
     fun fail(): Nothing = throw Planted.EXCEPTION.make().also { planted.add(it) }
-    val workers = WorkerProbe(Thread.currentThread(), { fail() }) { fail() }
+    val workers = WorkerProbe(Thread.currentThread(), { fail() }) { _, _ -> fail() }
     val thrown = answer { Recording.of(renderer, workers.frame) }
     if (!workers.hasWorker) return
     val one = planted.firstOrNull { it === thrown } ?: planted.first()
@@ -86,7 +86,8 @@ internal fun finishesIfWorkersAreInterrupted(renderer: Renderer) {
     repeat(ATTEMPTS) {
         // Who looks at the frame of a failure afterwards is not interrupted
         val isOver = AtomicBoolean()
-        val workers = WorkerProbe(Thread.currentThread()) { if (!isOver.get()) Thread.currentThread().interrupt() }
+        val workers =
+            WorkerProbe(Thread.currentThread()) { _, _ -> if (!isOver.get()) Thread.currentThread().interrupt() }
         val case = quiet.watched(workers.frame)
         try {
             Judgement(renderer, case, "primitives that interrupt other threads").equalsPictureOf(ReferenceRenderer())
@@ -118,7 +119,7 @@ internal fun leavesNoInterrupt(renderer: Renderer) {
     val configured = renderer.configured(RenderOptions(threads = 4, tileSize = 8, executor = executor))
     repeat(ATTEMPTS) {
         val waited = ConcurrentHashMap.newKeySet<Thread>()
-        val workers = WorkerProbe(Thread.currentThread(), { throw Planted.EXCEPTION.make() }) {
+        val workers = WorkerProbe(Thread.currentThread(), { throw Planted.EXCEPTION.make() }) { _, _ ->
             val worker = Thread.currentThread()
             if (waited.add(worker)) awaitUntil(BRIEF) { worker.isInterrupted }
         }
@@ -166,7 +167,7 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
 
     override fun run() {
         caller = Thread.currentThread()
-        val workers = WorkerProbe(caller) {
+        val workers = WorkerProbe(caller) { _, _ ->
             if (hasEnded) late.incrementAndGet()
             hold()
             if (isSent && pauses.getAndIncrement() < MOST_PAUSES) LockSupport.parkNanos(PAUSE)

@@ -25,12 +25,12 @@ import java.util.concurrent.locks.LockSupport
  *
  * @param caller the thread that calls the renderer
  * @param onCaller called in the caller before it gets an answer, once the first worker has made a query
- * @param onWorker called in a worker before it gets an answer
+ * @param onWorker called in a worker before it gets an answer about row `y`
  */
 internal class WorkerProbe(
     private val caller: Thread,
     private val onCaller: () -> Unit = {},
-    private val onWorker: (Question) -> Unit,
+    private val onWorker: (Question, y: Int) -> Unit,
 ) {
     /** Primitives that cover all samples, with more than four tiles of 8 samples for each of four threads. */
     val frame: Frame = Frame(Raster(SIDE, SIDE), List(COUNT) { Member(it) })
@@ -43,10 +43,10 @@ internal class WorkerProbe(
     /** What the caller has been asked. */
     private val asked = EnumSet.noneOf(Question::class.java)
 
-    private fun onQuery(question: Question) {
+    private fun onQuery(question: Question, y: Int) {
         if (Thread.currentThread() !== caller) {
             hasWorker = true
-            onWorker(question)
+            onWorker(question, y)
         } else if (!hasWorker && asked.add(question)) {
             awaitUntil(PATIENCE) { hasWorker }
         }
@@ -60,17 +60,17 @@ internal class WorkerProbe(
         override val columnEnd: Int get() = SIDE
 
         override fun spans(y: Int, spans: Spans) {
-            onQuery(Question.SPANS)
+            onQuery(Question.SPANS, y)
             spans.add(0, SIDE)
         }
 
         override fun depth(x: Int, y: Int): Int {
-            onQuery(Question.DEPTH)
+            onQuery(Question.DEPTH, y)
             return 1 + (x + y + index) % COUNT
         }
 
         override fun shade(fragment: Fragment) {
-            onQuery(Question.COLOUR)
+            onQuery(Question.COLOUR, fragment.y)
             fragment.setColor(index / COUNT.toFloat(), 0.5f, fragment.x / SIDE.toFloat())
         }
     }
@@ -83,7 +83,11 @@ internal class WorkerProbe(
         private const val PATIENCE = 80_000_000L
 
         /** Returns the frame with primitives that do not distinguish threads. */
-        fun quiet(): FrameCase = FrameCase(WorkerProbe(Thread.currentThread()) {}.frame, "SuiteFrames.workers()")
+        fun quiet(): FrameCase = FrameCase(
+            WorkerProbe(Thread.currentThread()) { _, _ ->
+            }.frame,
+            "SuiteFrames.workers()"
+        )
     }
 }
 
@@ -130,7 +134,7 @@ private class LateQuestions(private val renderer: Renderer, private val isSinkTo
 
     /** Returns the number of late queries; null if there are no workers. */
     fun count(): Int? {
-        val workers = WorkerProbe(Thread.currentThread(), { if (!isSinkToFail) throw planted }) { delay() }
+        val workers = WorkerProbe(Thread.currentThread(), { if (!isSinkToFail) throw planted }) { _, y -> delay(y) }
         val sink = RowSink { _, _, _, _ -> if (isSinkToFail) throw planted }
         answer { renderer.inTime(workers.frame, sink) }
         hasEnded = true
@@ -139,13 +143,17 @@ private class LateQuestions(private val renderer: Renderer, private val isSinkTo
         return late.get()
     }
 
-    private fun delay() {
+    /** The first rows are not slow: while the sink gets them, others are still to be drawn. */
+    private fun delay(y: Int) {
         if (hasEnded) late.incrementAndGet()
-        if (pauses.getAndIncrement() < MOST_PAUSES) LockSupport.parkNanos(PAUSE)
+        if (y >= QUICK && pauses.getAndIncrement() < MOST_PAUSES) LockSupport.parkNanos(PAUSE)
     }
 
     private companion object {
-        /** Number of slow answers: about as many as a tile needs. */
+        /** Number of rows without slow answers. */
+        const val QUICK = 8
+
+        /** Number of slow answers. */
         const val MOST_PAUSES = 300
 
         /** In nanoseconds. */
