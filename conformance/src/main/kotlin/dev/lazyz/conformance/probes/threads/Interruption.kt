@@ -25,6 +25,7 @@ import dev.lazyz.conformance.probes.dust
 import dev.lazyz.spi.Fragment
 import java.util.Random
 import java.util.concurrent.atomic.AtomicInteger
+import kotlin.concurrent.thread
 
 /** When the rendering thread is interrupted. */
 internal enum class Interruption(private val words: String) {
@@ -68,10 +69,23 @@ private fun interrupt(
 }
 
 /** Runs [rendering] in a thread of its own. A thread that hangs makes the try hang, which has a deadline. */
-internal fun inOwnThread(rendering: Runnable) = Thread(rendering, "lazyz-interrupted").run {
-    isDaemon = true
-    start()
-    join()
+internal fun inOwnThread(rendering: Runnable) =
+    thread(isDaemon = true, name = "lazyz-interrupted", block = rendering::run).join()
+
+/**
+ * Describes how an interrupt of the calling thread was lost, or made up, by a renderer that threw [thrown] or returned;
+ * or returns null.
+ *
+ * @param isSent whether the thread was interrupted
+ * @param isSet whether its interrupt status is set at the end
+ */
+internal fun lostInterrupt(thrown: Throwable?, isSent: Boolean, isSet: Boolean): String? = when {
+    thrown is InterruptedException && !isSent -> "threw InterruptedException, although it was not interrupted"
+    thrown is InterruptedException && isSet -> LEFT_SET
+    thrown != null -> null
+    isSent && !isSet -> "returned, but the interrupt status is no longer set"
+    !isSent && isSet -> "set the interrupt status, although it was not interrupted"
+    else -> null
 }
 
 private class InterruptedRendering(
@@ -129,15 +143,7 @@ private class InterruptedRendering(
         caller.interrupt()
     }
 
-    /** Describes how the interrupt was lost, or returns null. */
-    fun lostInterrupt(): String? = when {
-        thrown is InterruptedException && !isSent -> "threw InterruptedException, although it was not interrupted"
-        thrown is InterruptedException && isSet -> LEFT_SET
-        thrown != null -> null
-        isSent && !isSet -> "returned, but the interrupt status is no longer set"
-        !isSent && isSet -> "set the interrupt status, although it was not interrupted"
-        else -> null
-    }
+    fun lostInterrupt(): String? = lostInterrupt(thrown, isSent, isSet)
 
     /**
      * Describes what is wrong with the picture, or returns null. After an InterruptedException there need not be a

@@ -20,6 +20,7 @@ import java.util.concurrent.CyclicBarrier
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
 import java.util.concurrent.atomic.AtomicInteger
+import kotlin.concurrent.thread
 
 // These checks observe threads; they do not compare pictures.
 
@@ -28,7 +29,6 @@ private const val ATTEMPTS = 3
 
 private const val GRAINS = 100_000
 private val FEW_SAMPLES = Raster(8, 8)
-private val WAITING = setOf(Thread.State.BLOCKED, Thread.State.WAITING, Thread.State.TIMED_WAITING)
 
 /** So often, a thread may be found waiting, for example while a class is loaded. */
 private const val MOST_WAITING = 4
@@ -124,17 +124,19 @@ internal fun waitsForNoOther(renderer: Renderer, salt: Long) {
     repeat(ATTEMPTS) { attempt ->
         TryUnderWay.current?.goesOn()
         val crowd = dust(salt + attempt, GRAINS)
-        val busy = daemon { configured.render(crowd) { _, _, _, _ -> } }
+        val busy = thread(isDaemon = true) { answer { configured.render(crowd) { _, _, _, _ -> } } }
         var drawn = salt
-        val other = daemon {
-            while (busy.isAlive) configured.render(fewTriangles(drawn++, FEW_SAMPLES).frame) { _, _, _, _ -> }
+        val other = thread(isDaemon = true) {
+            answer {
+                while (busy.isAlive) configured.render(fewTriangles(drawn++, FEW_SAMPLES).frame) { _, _, _, _ -> }
+            }
         }
         var looks = 0
         var waits = 0
         while (busy.isAlive) {
             Thread.sleep(1)
             looks++
-            if (other.state in WAITING) waits++
+            if (other.isWaiting) waits++
         }
         other.join()
 
@@ -144,10 +146,9 @@ internal fun waitsForNoOther(renderer: Renderer, salt: Long) {
     fail(renderer, "a thread that draws a few triangles waits for another one that draws $GRAINS of them")
 }
 
-private fun daemon(work: () -> Unit) = Thread { answer(work) }.apply {
-    isDaemon = true
-    start()
-}
+/** Whether the thread waits for another one. */
+internal val Thread.isWaiting: Boolean
+    get() = state in setOf(Thread.State.BLOCKED, Thread.State.WAITING, Thread.State.TIMED_WAITING)
 
 /** Calls [block] for each of [cases] in a separate thread, all at the same time. Rethrows the first failure. */
 internal fun <T> atOnce(cases: List<T>, block: (T) -> Unit) {

@@ -194,7 +194,7 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
     /** Holds the first worker until the caller waits for it or has delivered a row. */
     private fun hold() {
         if (!isFirst.compareAndSet(true, false)) return
-        awaitUntil(WAIT) { isHandedOut || caller.state in ASLEEP }
+        awaitUntil(WAIT) { isHandedOut || caller.isWaiting }
         if (isBefore || isHandedOut) return
         send()
         awaitUntil(MOMENT) { isHandedOut }
@@ -203,20 +203,15 @@ private class InterruptedCaller(private val renderer: Renderer, private val isBe
     /** Describes what is wrong, or returns null. */
     fun complaint(case: FrameCase): String? {
         val image = image
-        return when {
-            thrown is InterruptedException && !isSent -> "threw InterruptedException, although it was not interrupted"
-            thrown is InterruptedException && isSet -> "threw InterruptedException, but left the interrupt status set"
+        return lostInterrupt(thrown, isSent, isSet) ?: when {
             late.get() > 0 -> "threw $thrown, but its threads queried primitives ${late.get()} times afterwards"
             thrown is InterruptedException -> null
             image == null -> "threw $thrown"
-            isSent && !isSet -> "returned, but the interrupt status is no longer set"
             else -> difference(Recording.of(ReferenceRenderer(), case.frame).image, image)?.toString()
         }
     }
 
     private companion object {
-        val ASLEEP = setOf(Thread.State.WAITING, Thread.State.TIMED_WAITING, Thread.State.BLOCKED)
-
         /** Nanoseconds of processor time in which the caller usually finishes its own part of the work. */
         const val WAIT = 200_000_000L
 
